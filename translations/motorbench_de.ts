@@ -450,19 +450,19 @@
 <context>
     <name>FrameFilterParser</name>
     <message>
-        <source>')' has no '(' before it</source>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
         <translation>vor „)“ fehlt ein „(“</translation>
     </message>
     <message>
-        <source>'%1' needs a term before it</source>
+        <source>&apos;%1&apos; needs a term before it</source>
         <translation>„%1“ braucht einen Ausdruck davor</translation>
     </message>
     <message>
-        <source>a term is missing after '%1'</source>
+        <source>a term is missing after &apos;%1&apos;</source>
         <translation>nach „%1“ fehlt ein Ausdruck</translation>
     </message>
     <message>
-        <source>'(' is not closed: a ')' is missing</source>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>„(“ ist nicht geschlossen: ein „)“ fehlt</translation>
     </message>
     <message>
@@ -473,55 +473,55 @@
 <context>
     <name>FrameTermReader</name>
     <message>
-        <source>'%1': a comparison begins with field., such as field.%1</source>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>„%1“: ein Vergleich beginnt mit field., etwa field.%1</translation>
     </message>
     <message>
-        <source>'%1:' has nothing after the colon</source>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
         <translation>„%1:“ hat nichts nach dem Doppelpunkt</translation>
     </message>
     <message>
-        <source>'%1:' is not known; id, family, message, device, dir, data, is and field. are</source>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
         <translation>„%1:“ ist unbekannt; bekannt sind id, family, message, device, dir, data, is und field.</translation>
     </message>
     <message>
-        <source>'%1:' is not known; '%2:' is</source>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
         <translation>„%1:“ ist unbekannt; bekannt ist „%2:“</translation>
     </message>
     <message>
-        <source>'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
         <translation>„%1“ ist kein Identifier: hexadezimal, etwa 0x2061405, 0x2061* oder 100..1FF</translation>
     </message>
     <message>
-        <source>'%1' is no device number: such as 5, 5,7 or 1..9</source>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
         <translation>„%1“ ist keine Gerätenummer: etwa 5, 5,7 oder 1..9</translation>
     </message>
     <message>
-        <source>'%1' are no bytes: hexadecimal such as A125*, without blanks</source>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
         <translation>„%1“ sind keine Bytes: hexadezimal, etwa A125*, ohne Leerzeichen</translation>
     </message>
     <message>
-        <source>no family is called '%1'; there is %2</source>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
         <translation>keine Familie heißt „%1“; es gibt %2</translation>
     </message>
     <message>
-        <source>'dir:%1' is not known; dir:rx and dir:tx are</source>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
         <translation>„dir:%1“ ist unbekannt; bekannt sind dir:rx und dir:tx</translation>
     </message>
     <message>
-        <source>'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
         <translation>„is:%1“ ist unbekannt; bekannt sind tx, rx, extended, standard, remote, error, unknown, known und control</translation>
     </message>
     <message>
-        <source>'field.' needs the name of a field, such as field.trgt&gt;100</source>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
         <translation>„field.“ braucht den Namen eines Felds, etwa field.trgt&gt;100</translation>
     </message>
     <message>
-        <source>'field.%1%2' needs a number behind it</source>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
         <translation>„field.%1%2“ braucht eine Zahl dahinter</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
@@ -1005,7 +1005,7 @@
         <translation>%1 ist nicht scharf. Gerät wählen, dann die Scharf-Taste in der Kopfzeile halten.</translation>
     </message>
     <message>
-        <source>'%1' is no frame such as 02061405#8125</source>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
         <translation>„%1“ ist kein Frame wie etwa 02061405#8125</translation>
     </message>
     <message>
@@ -1045,7 +1045,7 @@
     <name>SignalText</name>
     <message>
         <source>small</source>
-        <extracomment>Translate as "capital" where a noun has a capital letter in the middle of a line too.</extracomment>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>capital</translation>
     </message>
 </context>
@@ -1586,7 +1586,7 @@
         <translation>Ein Schritt des Gebers ändert den Tastgrad über D um %1 %; ruhig bleibt es bis 10 %.</translation>
     </message>
     <message>
-        <source>The drive's ramp takes %1 to full duty, which is slower than this loop.</source>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
         <translation>Die Rampe des Reglers braucht %1 bis zum vollen Tastgrad und ist damit langsamer als dieser Regelkreis.</translation>
     </message>
     <message>
@@ -1677,7 +1677,7 @@
         <translation>Das sind mehr als 2 % des Sprungs.</translation>
     </message>
     <message>
-        <source>The drive's least output helps.</source>
+        <source>The drive&apos;s least output helps.</source>
         <translation>Die kleinste Ausgabe des Reglers hilft.</translation>
     </message>
     <message>
@@ -1693,11 +1693,11 @@
         <translation>Dieser Regler hat keine eigene Rampe.</translation>
     </message>
     <message>
-        <source>The drive's ramp was not read yet.</source>
+        <source>The drive&apos;s ramp was not read yet.</source>
         <translation>Die Rampe des Reglers wurde noch nicht gelesen.</translation>
     </message>
     <message>
-        <source>The drive's ramp is off.</source>
+        <source>The drive&apos;s ramp is off.</source>
         <translation>Die Rampe des Reglers ist aus.</translation>
     </message>
     <message>
@@ -1907,7 +1907,7 @@
         <source>an experiment on it has not ended</source>
         <translation>ein Versuch damit ist noch nicht zu Ende</translation>
     </message>
-<message>
+    <message>
         <source>the computer slept</source>
         <translation>der Rechner hat geschlafen</translation>
     </message>
@@ -3537,7 +3537,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Grenzen übergehen</translation>
     </message>
     <message>
-        <source>The two below replace the device's own settings for limit switches. Changing it disarms.</source>
+        <source>The two below replace the device&apos;s own settings for limit switches. Changing it disarms.</source>
         <translation>Die beiden darunter ersetzen die Einstellungen des Geräts für Endschalter. Eine Änderung sichert.</translation>
     </message>
     <message>
@@ -4995,7 +4995,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1 bit/s</translation>
     </message>
     <message>
-        <source>the computer's own RS-485 port</source>
+        <source>the computer&apos;s own RS-485 port</source>
         <translation>eigener RS-485-Port des Rechners</translation>
     </message>
     <message>
@@ -5003,7 +5003,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>RS-485</translation>
     </message>
     <message>
-        <source>Lets the kernel switch the driver of a port on the computer's board. Adapters on USB switch by themselves: leave it off.</source>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
         <translation>Der Kernel schaltet den Treiber eines Ports auf der Platine des Rechners. USB-Adapter schalten selbst: dann aus lassen.</translation>
     </message>
     <message>
@@ -5258,7 +5258,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>RAMPE</translation>
     </message>
     <message>
-        <source>The drive's own ramp was on</source>
+        <source>The drive&apos;s own ramp was on</source>
         <translation>Die Rampe des Reglers war an</translation>
     </message>
     <message>
@@ -5509,7 +5509,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Vorbereiten schaltet die Motoren ein, wo sie stehen; vor dem Start dreht sich nichts.</translation>
     </message>
     <message>
-        <source>not prepared: '%1' is no number of counts</source>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
         <translation>nicht vorbereitet: „%1“ ist keine Anzahl von counts</translation>
     </message>
     <message>
@@ -5563,7 +5563,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>Frames received that no controller family knows: somebody else's traffic</source>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
         <translation>Empfangene Frames, die keine Controllerfamilie kennt: fremder Verkehr</translation>
     </message>
     <message>
@@ -6722,7 +6722,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>an</translation>
     </message>
     <message>
-        <source>the device's own line</source>
+        <source>the device&apos;s own line</source>
         <translation>die eigene Leitung des Geräts</translation>
     </message>
     <message>
@@ -7256,7 +7256,7 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>hold Arm in the header</source>
         <translation>Scharf-Taste in der Kopfzeile halten</translation>
     </message>
-<message>
+    <message>
         <source>written, not proved</source>
         <translation>geschrieben, nicht bewiesen</translation>
     </message>
@@ -8948,7 +8948,7 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Kein Sollwert. Zahl bis ± %1 eingeben.</translation>
     </message>
     <message>
-        <source>"%1" is no number. Enter one up to ± %2.</source>
+        <source>&quot;%1&quot; is no number. Enter one up to ± %2.</source>
         <translation>„%1“ ist keine Zahl. Eine bis ± %2 eingeben.</translation>
     </message>
     <message>
@@ -10519,7 +10519,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>gehalten: bewegt den scharfen Motor sanft vorwärts oder rückwärts</translation>
     </message>
     <message>
-        <source>on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>am Schieber einer Verstärkung: 2 %, mit Umschalt 0,2 %, mit Strg 20 %; das Mausrad ändert um 2 %</translation>
     </message>
     <message>
@@ -11223,7 +11223,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1, as in the image</source>
         <translation>%1, wie im Image</translation>
     </message>
-<message>
+    <message>
         <source>Written, not proved: %1</source>
         <translation>Geschrieben, nicht bewiesen: %1</translation>
     </message>
@@ -11480,23 +11480,23 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Verbindungen über %1 werden noch nicht unterstützt</translation>
     </message>
     <message>
-        <source>socketcan links have no option '%1'</source>
+        <source>socketcan links have no option &apos;%1&apos;</source>
         <translation>socketcan kennt die Option „%1“ nicht</translation>
     </message>
     <message>
-        <source>unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
+        <source>unknown link kind &apos;%1&apos;: sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
         <translation>unbekannte Art von Verbindung „%1“: bekannt sind sim, socketcan, qtcan, serial, spidev, unix und replay</translation>
     </message>
     <message>
-        <source>'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
+        <source>&apos;%1&apos; is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
         <translation>„%1“ ist keine Verbindung: nötig ist SCHEME:PATH, etwa socketcan:can0 oder sim:</translation>
     </message>
     <message>
-        <source>'%1' names no interface</source>
+        <source>&apos;%1&apos; names no interface</source>
         <translation>„%1“ nennt keine Schnittstelle</translation>
     </message>
     <message>
-        <source>link option '%1' is not KEY=VALUE</source>
+        <source>link option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>Option „%1“ der Verbindung ist nicht KEY=VALUE</translation>
     </message>
     <message>
@@ -11732,7 +11732,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 war beim Schreiben der Datei unbekannt</translation>
     </message>
     <message>
-        <source>the file is for family '%1', the device is a %2</source>
+        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
         <translation>die Datei ist für die Familie „%1“, das Gerät ist ein %2</translation>
     </message>
     <message>
@@ -11776,7 +11776,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>nicht gesendet: %1 für %2</translation>
     </message>
     <message>
-        <source>not sent: %1 outside the controller's flash</source>
+        <source>not sent: %1 outside the controller&apos;s flash</source>
         <translation>nicht gesendet: %1 außerhalb des Flash</translation>
     </message>
     <message>
@@ -11860,7 +11860,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>kein Status innerhalb von 2 s</translation>
     </message>
     <message>
-        <source>page %1 cannot be written: its flash failed the device's own check %2 times</source>
+        <source>page %1 cannot be written: its flash failed the device&apos;s own check %2 times</source>
         <translation>Seite %1 lässt sich nicht schreiben: die Prüfung durch das Gerät schlug %2-mal fehl</translation>
     </message>
     <message>
@@ -11972,7 +11972,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Ein Öffner spricht an, wenn er öffnet, ein Schließer, wenn er schließt. Dann ist der Ausgang in dieser Richtung gesperrt.</translation>
     </message>
     <message>
-        <source>On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.</source>
+        <source>On switches the limit OFF: the sense is the opposite of the soft limits&apos; Enabled.</source>
         <translation>Ein schaltet den Endschalter AUS: umgekehrt wie „aktiv“ bei den Softwaregrenzen.</translation>
     </message>
     <message>
@@ -12056,7 +12056,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Grenze vorw. aktiv</translation>
     </message>
     <message>
-        <source>On switches the limit ON: the sense is the opposite of the switches' Disabled.</source>
+        <source>On switches the limit ON: the sense is the opposite of the switches&apos; Disabled.</source>
         <translation>Ein schaltet die Grenze EIN: umgekehrt wie „aus“ bei den Schaltern.</translation>
     </message>
     <message>
@@ -12376,7 +12376,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>diese Schnittstelle kann nicht mithören, ohne den Bus zu stören, also den fragen, der ihn eingerichtet hat; üblich sind 1 Mbit/s, 500, 250 und 125 kbit/s</translation>
     </message>
     <message>
-        <source>find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'</source>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
         <translation>den Sender suchen, der ihn füllt, auf der Seite Bus oder mit „motorbenchctl monitor“</translation>
     </message>
     <message>
@@ -12416,7 +12416,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>vor dem Wechsel des Dialekts den Motor stoppen</translation>
     </message>
     <message>
-        <source>%1 has no '%2' to be set</source>
+        <source>%1 has no &apos;%2&apos; to be set</source>
         <translation>%1 hat kein „%2“, das sich setzen lässt</translation>
     </message>
     <message>
@@ -12532,11 +12532,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>eine Rate ist eine positive Zahl, oder 0 für die übliche</translation>
     </message>
     <message>
-        <source>F: the firmware's codes</source>
+        <source>F: the firmware&apos;s codes</source>
         <translation>F: Codes der Firmware</translation>
     </message>
     <message>
-        <source>A unit that speaks the document's codes would take position for current and current for position.</source>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
         <translation>Ein Gerät, das die Codes des Dokuments spricht, hielte Position für Strom und Strom für Position.</translation>
     </message>
     <message>
@@ -12544,7 +12544,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>L: alte Frames mit 8 Byte</translation>
     </message>
     <message>
-        <source>A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
         <translation>Ein Gerät mit heutiger Firmware ignoriert diese Frames, außer dem Stopp, der auf beide Arten gesendet wird.</translation>
     </message>
     <message>
@@ -12556,11 +12556,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Es wird nur beobachtet: es gibt keinen Code, der es stoppt.</translation>
     </message>
     <message>
-        <source>D: the document's codes</source>
+        <source>D: the document&apos;s codes</source>
         <translation>D: Codes des Dokuments</translation>
     </message>
     <message>
-        <source>A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
         <translation>Ein Gerät, das die Codes der Firmware spricht, läuft mit voller Leistung, wenn ihm eine Position vorgegeben wird, und verliert seinen Divisor, wenn D geschrieben wird.</translation>
     </message>
     <message>
@@ -12664,7 +12664,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Antwortet, aber in keinem bekannten Dialekt; lässt sich beobachten, aber nicht ansteuern.</translation>
     </message>
     <message>
-        <source>Speaks the firmware's codes, not the document's.</source>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
         <translation>Spricht die Codes der Firmware, nicht die des Dokuments.</translation>
     </message>
     <message>
@@ -12676,7 +12676,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>So alt, dass nur Trennen der Versorgung ihn stoppt; lässt sich beobachten, aber nicht ansteuern.</translation>
     </message>
     <message>
-        <source>Speaks the document's codes, which no published firmware does.</source>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
         <translation>Spricht die Codes des Dokuments, was keine veröffentlichte Firmware tut.</translation>
     </message>
     <message>
@@ -12688,8 +12688,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Rampe ist 0 oder ein positiver Tastgrad pro Sekunde</translation>
     </message>
     <message>
-        <source>count/100 ms</source>
-        <translation>count/100 ms</translation>
+        <source>count/100&#xa0;ms</source>
+        <translation>count/100&#xa0;ms</translation>
     </message>
     <message>
         <source>A</source>
@@ -12740,15 +12740,15 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>beide Flanken</translation>
     </message>
     <message>
-        <source>Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
         <translation>Des Positionsreglers, in eigenen Einheiten der Platine mit undokumentierter Skalierung. Nicht rücklesbar; die vier werden zusammen gesendet.</translation>
     </message>
     <message>
-        <source>Bound of the position loop's integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
         <translation>Grenze des Integrals im Positionsregler, in Leistungseinheiten: 8191 ist volle Leistung. Nicht rücklesbar.</translation>
     </message>
     <message>
-        <source>Of the velocity loop, in the board's own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
         <translation>Des Drehzahlreglers, in eigenen Einheiten der Platine mit undokumentierter Skalierung. Nicht rücklesbar; die drei werden zusammen gesendet.</translation>
     </message>
     <message>
@@ -12780,7 +12780,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Was die Platine von diesem Kanal sendet: Bits 0 und 1 Größe der Position, 2 relativ, 3 Drehzahl, 5 Status. Das Programm braucht die volle Position.</translation>
     </message>
     <message>
-        <source>The encoder's counter. Writing it moves the zero, not the motor.</source>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
         <translation>Der Zähler des Encoders. Schreiben verschiebt den Nullpunkt, nicht den Motor.</translation>
     </message>
     <message>
@@ -13096,7 +13096,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Polaritätsbit %1: der Eingang ist nicht aktiv</translation>
     </message>
     <message>
-        <source>polarity 0 is active high: the board follows the maker's library</source>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
         <translation>Polarität 0 ist high-aktiv: die Platine folgt der Bibliothek des Herstellers</translation>
     </message>
     <message>
@@ -13260,7 +13260,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Das Datenblatt widerspricht sich bei den Drehzahlsollwerten. Mit einfachen counts/s bewegt sich eine Platine, die × 4096 erwartet, kaum; der umgekehrte Fehler fordert volle Drehzahl. Nur ändern, wenn sich eine Platine kaum bewegt, und mit kleiner Leistungsgrenze.</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
         <translation>Datenblatt und Bibliothek des Herstellers geben Polarität und Flanken der Eingänge mit entgegengesetzten Bits an. Eher stimmt die Bibliothek; ein Versuch mit dem Statusbit klärt es.</translation>
     </message>
     <message>
@@ -13316,7 +13316,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Polarität des Eingangs ermitteln</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
         <translation>Datenblatt und Bibliothek des Herstellers geben die Polarität der Eingänge mit entgegengesetzten Bits an. Der Eingang einer Achse wird mit beiden eingerichtet, und das Statusbit zeigt, welche davon bei dem Pegel aktiv ist, den der Pin hat. Nichts bewegt sich, der Zähler bleibt, und der Eingang wird danach wieder wie zuvor eingerichtet.</translation>
     </message>
     <message>
@@ -13344,7 +13344,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Der Bootloader meldet sich</translation>
     </message>
     <message>
-        <source>Its greeting on the serial port holds the word "bootloader".</source>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
         <translation>Seine Begrüßung an der seriellen Schnittstelle enthält das Wort „bootloader“.</translation>
     </message>
     <message>
@@ -13424,7 +13424,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>verlassen mit</translation>
     </message>
     <message>
-        <source>Typed at the end. "none" leaves it to jumper and reset.</source>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
         <translation>Wird am Ende eingegeben. „none“ überlässt es Steckbrücke und Reset.</translation>
     </message>
     <message>
@@ -13452,7 +13452,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>am negativen Ende setzen</translation>
     </message>
     <message>
-        <source>At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
         <translation>Bei welchem Pegel der Eingang aktiv ist. Datenblatt und Bibliothek des Herstellers geben es mit entgegengesetzten Bits an: welchem die Platine folgt, ist eine Einstellung des Geräts, und ein Versuch klärt es.</translation>
     </message>
     <message>
@@ -13784,7 +13784,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Debug-Adapter ist da, darf aber nicht geöffnet werden</translation>
     </message>
     <message>
-        <source>install OpenOCD's udev rules or ask your administrator</source>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
         <translation>die udev-Regeln von OpenOCD installieren oder die Systemverwaltung fragen</translation>
     </message>
     <message>
@@ -13820,8 +13820,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>avrdude kennt kein Programmiergerät dieses Namens</translation>
     </message>
     <message>
-        <source>'avrdude -c ?' lists them</source>
-        <translation>'avrdude -c ?' nennt sie</translation>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
+        <translation>&apos;avrdude -c ?&apos; nennt sie</translation>
     </message>
     <message>
         <source>the port may not be opened</source>
@@ -13948,11 +13948,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>UART: das Senden dauerte zu lange (das Datenblatt meint einen Paritätsfehler)</translation>
     </message>
     <message>
-        <source>UART: receive buffer overflow, by the datasheet's number</source>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
         <translation>UART: Überlauf des Empfangspuffers, nach der Nummer des Datenblatts</translation>
     </message>
     <message>
-        <source>UART: data overrun, by the datasheet's number</source>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
         <translation>UART: Datenüberlauf, nach der Nummer des Datenblatts</translation>
     </message>
     <message>
@@ -14064,7 +14064,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 Ziffern, nötig ist eine gerade Zahl</translation>
     </message>
     <message>
-        <source>%1 does not exist in this device's dialect</source>
+        <source>%1 does not exist in this device&apos;s dialect</source>
         <translation>%1 gibt es im Dialekt dieses Geräts nicht</translation>
     </message>
     <message>
@@ -14112,8 +14112,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 hat keinen Kanal mit Messwerten</translation>
     </message>
     <message>
-        <source>%1 has no dialect '%2'</source>
-        <translation>%1 hat keinen Dialekt '%2'</translation>
+        <source>%1 has no dialect &apos;%2&apos;</source>
+        <translation>%1 hat keinen Dialekt &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 has no duty command</source>
@@ -14128,12 +14128,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 enthält keinen Frame von %2</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tried</source>
-        <translation>%1 hat keinen Regler '%2', der sich probieren lässt</translation>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
+        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich probieren lässt</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tuned</source>
-        <translation>%1 hat keinen Regler '%2', der sich abstimmen lässt</translation>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
+        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich abstimmen lässt</translation>
     </message>
     <message>
         <source>%1 has no loop that can be tried</source>
@@ -14392,12 +14392,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1: %2 von %3 ms ist feiner, als das Gerät folgt, das alle %4 ms einen Sollwert annimmt</translation>
     </message>
     <message>
-        <source>%1: '%2' is neither on nor off</source>
-        <translation>%1: '%2' ist weder on noch off</translation>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
+        <translation>%1: &apos;%2&apos; ist weder on noch off</translation>
     </message>
     <message>
-        <source>%1: '%2' is not a number</source>
-        <translation>%1: '%2' ist keine Zahl</translation>
+        <source>%1: &apos;%2&apos; is not a number</source>
+        <translation>%1: &apos;%2&apos; ist keine Zahl</translation>
     </message>
     <message>
         <source>%1: cannot be read (system error %2)</source>
@@ -14436,8 +14436,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1: Status %2 hat keine Bedeutung</translation>
     </message>
     <message>
-        <source>%1: the device answers '%2'</source>
-        <translation>%1: das Gerät antwortet '%2'</translation>
+        <source>%1: the device answers &apos;%2&apos;</source>
+        <translation>%1: das Gerät antwortet &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1: the device refused the value</source>
@@ -14452,52 +14452,52 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
-        <source>'%1' is no path of a socket: it has 1 to 107 characters</source>
-        <translation>'%1' ist kein Pfad eines Sockets: er hat 1 bis 107 Zeichen</translation>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
+        <translation>&apos;%1&apos; ist kein Pfad eines Sockets: er hat 1 bis 107 Zeichen</translation>
     </message>
     <message>
-        <source>'%1' is no time in seconds</source>
-        <translation>'%1' ist keine Zeit in Sekunden</translation>
+        <source>&apos;%1&apos; is no time in seconds</source>
+        <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
     </message>
     <message>
-        <source>'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
-        <translation>'%1' ist kein Gerät: nötig ist LINK/FAMILIE:ADRESSE, etwa sim:can/dmc60c:5</translation>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <translation>&apos;%1&apos; ist kein Gerät: nötig ist LINK/FAMILIE:ADRESSE, etwa sim:can/dmc60c:5</translation>
     </message>
     <message>
-        <source>'%1' is not a simulated device: %2</source>
-        <translation>'%1' ist kein simuliertes Gerät: %2</translation>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
+        <translation>&apos;%1&apos; ist kein simuliertes Gerät: %2</translation>
     </message>
     <message>
-        <source>'%1' is not qtcan:PLUGIN:INTERFACE</source>
-        <translation>'%1' ist nicht qtcan:PLUGIN:SCHNITTSTELLE</translation>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
+        <translation>&apos;%1&apos; ist nicht qtcan:PLUGIN:SCHNITTSTELLE</translation>
     </message>
     <message>
-        <source>'motorbenchctl snapshots' lists those there are</source>
-        <translation>'motorbenchctl snapshots' nennt die vorhandenen</translation>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl snapshots&apos; nennt die vorhandenen</translation>
     </message>
     <message>
-        <source>'motorbenchctl trials' lists those there are</source>
-        <translation>'motorbenchctl trials' nennt die vorhandenen</translation>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl trials&apos; nennt die vorhandenen</translation>
     </message>
     <message>
         <source>--font-scale takes 0.5 to 3</source>
         <translation>--font-scale nimmt 0.5 bis 3</translation>
     </message>
     <message>
-        <source>--out '%1' is no picture</source>
-        <translation>--out '%1' ist kein Bild</translation>
+        <source>--out &apos;%1&apos; is no picture</source>
+        <translation>--out &apos;%1&apos; ist kein Bild</translation>
     </message>
     <message>
         <source>%1 is no report</source>
         <translation>%1 ist kein Bericht</translation>
     </message>
     <message>
-        <source>--out '%1' is no PDF</source>
-        <translation>--out '%1' ist kein PDF</translation>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out &apos;%1&apos; ist kein PDF</translation>
     </message>
     <message>
         <source>--help tells what there is</source>
@@ -14516,20 +14516,20 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>--target fehlt</translation>
     </message>
     <message>
-        <source>--target: '%1' is unknown</source>
-        <translation>--target: '%1' ist unbekannt</translation>
+        <source>--target: &apos;%1&apos; is unknown</source>
+        <translation>--target: &apos;%1&apos; ist unbekannt</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
         <translation>--tour braucht einen Ordner für seine Bilder</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into a Supermodified</source>
-        <translation>--via: '%1' ist kein Weg in einen Supermodified</translation>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
+        <translation>--via: &apos;%1&apos; ist kein Weg in einen Supermodified</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into an Abstract DC Drive</source>
-        <translation>--via: '%1' ist kein Weg in einen Abstract DC Drive</translation>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
+        <translation>--via: &apos;%1&apos; ist kein Weg in einen Abstract DC Drive</translation>
     </message>
     <message>
         <source>0 is no divisor</source>
@@ -14732,11 +14732,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Schnappschuss aufnehmen</translation>
     </message>
     <message>
-        <source>The controller tells no version: the programmer's own verify and the controller's answer prove the update.</source>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
         <translation>Der Controller nennt keine Version: die Prüfung des Programmiergeräts und die Antwort des Controllers belegen die Aktualisierung.</translation>
     </message>
     <message>
-        <source>The drive tells no version: the programmer's own verify and the drive's answer prove the update.</source>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
         <translation>Der Antrieb nennt keine Version: die Prüfung des Programmiergeräts und die Antwort des Antriebs belegen die Aktualisierung.</translation>
     </message>
     <message>
@@ -14760,8 +14760,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein DMC60C hat eine Nummer von 0 bis 63, nicht %1</translation>
     </message>
     <message>
-        <source>a DMC60C has no mode '%1'</source>
-        <translation>ein DMC60C hat keine Betriebsart '%1'</translation>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
+        <translation>ein DMC60C hat keine Betriebsart &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a DMC60C has one axis</source>
@@ -14780,8 +14780,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein DMC60C wird über seinen eigenen Link aktualisiert</translation>
     </message>
     <message>
-        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'</source>
-        <translation>eine GPIO-Leitung ist CHIP:LEITUNG, wie in gpiochip0:25, nicht '%1'</translation>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
+        <translation>eine GPIO-Leitung ist CHIP:LEITUNG, wie in gpiochip0:25, nicht &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a QuadQuad2Drv has no address but 0</source>
@@ -14792,7 +14792,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein QuadQuad2Drv hat eine Art von Baustein</translation>
     </message>
     <message>
-        <source>a QuadQuad2Drv is simulated on the board's end of an SPI link</source>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
         <translation>ein QuadQuad2Drv wird am Platinenende eines SPI-Links simuliert</translation>
     </message>
     <message>
@@ -14808,8 +14808,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Supermodified hat eine Kennung von 1 bis 127, nicht %1</translation>
     </message>
     <message>
-        <source>a Supermodified has no mode '%1'</source>
-        <translation>ein Supermodified hat keine Betriebsart '%1'</translation>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
+        <translation>ein Supermodified hat keine Betriebsart &apos;%1&apos;</translation>
     </message>
     <message>
         <source>a Supermodified has no name</source>
@@ -14836,7 +14836,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Bit</translation>
     </message>
     <message>
-        <source>a bootloader needs the board's serial line, such as boot=pty:./boot</source>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
         <translation>ein Bootloader braucht die serielle Leitung der Platine, etwa boot=pty:./boot</translation>
     </message>
     <message>
@@ -15040,8 +15040,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Abstract DC Drive hat keine Endschalter, also auch keine Endschalter-Überbrückung</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no mode '%1'</source>
-        <translation>ein Abstract DC Drive hat keine Betriebsart '%1'</translation>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
+        <translation>ein Abstract DC Drive hat keine Betriebsart &apos;%1&apos;</translation>
     </message>
     <message>
         <source>an Abstract DC Drive is written through a debug probe</source>
@@ -15088,8 +15088,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>mit diesem P höchstens %1: eine Betriebsart mit Profil oder mehrere Bewegungen verwenden</translation>
     </message>
     <message>
-        <source>average takes 0 to 3600 seconds, not '%1'</source>
-        <translation>average nimmt 0 bis 3600 Sekunden, nicht '%1'</translation>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
+        <translation>average nimmt 0 bis 3600 Sekunden, nicht &apos;%1&apos;</translation>
     </message>
     <message>
         <source>average takes a signal and seconds, such as average(x, 0.1)</source>
@@ -15216,8 +15216,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>einen anderen Ort wählen</translation>
     </message>
     <message>
-        <source>close that one first ('fuser %1' names it)</source>
-        <translation>zuerst jenes schließen ('fuser %1' nennt es)</translation>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
+        <translation>zuerst jenes schließen (&apos;fuser %1&apos; nennt es)</translation>
     </message>
     <message>
         <source>close the jumper between AUX1 and AUX2, then reset the board or switch it off and on</source>
@@ -15356,8 +15356,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>erwartet: Zeit, Kanal, Wert und Einheit</translation>
     </message>
     <message>
-        <source>fault '%1' does not parse</source>
-        <translation>der Fehler '%1' ist nicht zu verstehen</translation>
+        <source>fault &apos;%1&apos; does not parse</source>
+        <translation>der Fehler &apos;%1&apos; ist nicht zu verstehen</translation>
     </message>
     <message>
         <source>fewer than 16 samples connect</source>
@@ -15436,7 +15436,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>installieren mit</translation>
     </message>
     <message>
-        <source>install its vendor's driver</source>
+        <source>install its vendor&apos;s driver</source>
         <translation>den Treiber des Herstellers installieren</translation>
     </message>
     <message>
@@ -15704,8 +15704,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>einen anderen Ordner nennen</translation>
     </message>
     <message>
-        <source>name it by its number; 'motorbenchctl snapshots' lists them</source>
-        <translation>ihn mit seiner Nummer nennen; 'motorbenchctl snapshots' listet sie</translation>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
+        <translation>ihn mit seiner Nummer nennen; &apos;motorbenchctl snapshots&apos; listet sie</translation>
     </message>
     <message>
         <source>name its serial port, for example --via serial:/dev/ttyUSB0</source>
@@ -15828,8 +15828,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>niemand bedient %1</translation>
     </message>
     <message>
-        <source>not a parameter file: it has no "parameters"</source>
-        <translation>keine Parameterdatei: sie hat kein "parameters"</translation>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>keine Parameterdatei: sie hat kein &quot;parameters&quot;</translation>
     </message>
     <message>
         <source>not sent: %1 where a 24-bit instruction has none, the file may be for another processor</source>
@@ -15900,8 +15900,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>openocd ist nicht installiert</translation>
     </message>
     <message>
-        <source>option '%1' is not KEY=VALUE</source>
-        <translation>Option '%1' ist nicht SCHLÜSSEL=WERT</translation>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
+        <translation>Option &apos;%1&apos; ist nicht SCHLÜSSEL=WERT</translation>
     </message>
     <message>
         <source>page %1 was said to be written before its bytes can have arrived</source>
@@ -15948,11 +15948,11 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Nachweis: ein Sprung von %1 counts/s</translation>
     </message>
     <message>
-        <source>pty links have the option baud=BITS_PER_SECOND, not '%1=%2'</source>
-        <translation>pty-Links haben die Option baud=BIT_PRO_SEKUNDE, nicht '%1=%2'</translation>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>pty-Links haben die Option baud=BIT_PRO_SEKUNDE, nicht &apos;%1=%2&apos;</translation>
     </message>
     <message>
-        <source>pty: is where 'simulate' puts its devices</source>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
         <translation>unter pty: legt „simulate“ seine Geräte an</translation>
     </message>
     <message>
@@ -15980,8 +15980,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Stoß mit %1 Tastgrad für %2 s, %3-mal</translation>
     </message>
     <message>
-        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'</source>
-        <translation>qtcan-Links haben die Option bitrate=BIT_PRO_SEKUNDE, nicht '%1=%2'</translation>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>qtcan-Links haben die Option bitrate=BIT_PRO_SEKUNDE, nicht &apos;%1=%2&apos;</translation>
     </message>
     <message>
         <source>read gain.p</source>
@@ -16020,7 +16020,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>sie entfernen oder lesbar machen</translation>
     </message>
     <message>
-        <source>replay links have no option '%1'</source>
+        <source>replay links have no option &apos;%1&apos;</source>
         <translation>replay kennt die Option „%1“ nicht</translation>
     </message>
     <message>
@@ -16092,8 +16092,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Seriennummer %1</translation>
     </message>
     <message>
-        <source>several units have a snapshot '%1'</source>
-        <translation>mehrere Geräte haben einen Schnappschuss '%1'</translation>
+        <source>several units have a snapshot &apos;%1&apos;</source>
+        <translation>mehrere Geräte haben einen Schnappschuss &apos;%1&apos;</translation>
     </message>
     <message>
         <source>sim: stands for several links</source>
@@ -16120,8 +16120,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Drehzahl %1 counts/s liegt über 1,2 × %2 counts/s</translation>
     </message>
     <message>
-        <source>speed is 10000 to 10000000 Hz, not '%1'</source>
-        <translation>speed ist 10000 bis 10000000 Hz, nicht '%1'</translation>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
+        <translation>speed ist 10000 bis 10000000 Hz, nicht &apos;%1&apos;</translation>
     </message>
     <message>
         <source>speed, ready and reset are known</source>
@@ -16132,8 +16132,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>speed=%1 ist keine Drehzahl</translation>
     </message>
     <message>
-        <source>spidev links have no option '%1'</source>
-        <translation>spidev-Links haben keine Option '%1'</translation>
+        <source>spidev links have no option &apos;%1&apos;</source>
+        <translation>spidev-Links haben keine Option &apos;%1&apos;</translation>
     </message>
     <message>
         <source>stalled, or the encoder is dead: less than 3 counts in %1</source>
@@ -16396,7 +16396,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Neustart, bevor das Schreiben des Flash nachgewiesen war</translation>
     </message>
     <message>
-        <source>the device's rate was not put back: %1</source>
+        <source>the device&apos;s rate was not put back: %1</source>
         <translation>die Rate des Geräts wurde nicht zurückgesetzt: %1</translation>
     </message>
     <message>
@@ -16596,8 +16596,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Motor wurde gestoppt</translation>
     </message>
     <message>
-        <source>the name was written, but the device answers '%1'</source>
-        <translation>der Name wurde geschrieben, aber das Gerät antwortet '%1'</translation>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
+        <translation>der Name wurde geschrieben, aber das Gerät antwortet &apos;%1&apos;</translation>
     </message>
     <message>
         <source>the nearest it can is %1</source>
@@ -16828,24 +16828,24 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>es gibt keinen GPIO-Baustein für %1</translation>
     </message>
     <message>
-        <source>there is no file '%1'</source>
-        <translation>es gibt keine Datei '%1'</translation>
+        <source>there is no file &apos;%1&apos;</source>
+        <translation>es gibt keine Datei &apos;%1&apos;</translation>
     </message>
     <message>
         <source>there is no layout of this name</source>
         <translation>es gibt kein Layout dieses Namens</translation>
     </message>
     <message>
-        <source>there is no simulated link 'sim:%1': can, serial and spi are known</source>
-        <translation>es gibt keinen simulierten Link 'sim:%1': bekannt sind can, serial und spi</translation>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
+        <translation>es gibt keinen simulierten Link &apos;sim:%1&apos;: bekannt sind can, serial und spi</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1'</source>
-        <translation>es gibt keinen Schnappschuss '%1'</translation>
+        <source>there is no snapshot &apos;%1&apos;</source>
+        <translation>es gibt keinen Schnappschuss &apos;%1&apos;</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1' of this unit</source>
-        <translation>es gibt keinen Schnappschuss '%1' dieses Geräts</translation>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
+        <translation>es gibt keinen Schnappschuss &apos;%1&apos; dieses Geräts</translation>
     </message>
     <message>
         <source>there is no socket %1</source>
@@ -16892,8 +16892,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>diesen Befehl kennt Firmware des Dialekts %1 nicht</translation>
     </message>
     <message>
-        <source>this device has no experiment '%1'</source>
-        <translation>dieses Gerät hat keinen Versuch '%1'</translation>
+        <source>this device has no experiment &apos;%1&apos;</source>
+        <translation>dieses Gerät hat keinen Versuch &apos;%1&apos;</translation>
     </message>
     <message>
         <source>this device has no watchdog, and on %1 nothing could stop it if the program died</source>
@@ -16972,8 +16972,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>seinen Positionsregler versuchen</translation>
     </message>
     <message>
-        <source>tune it by hand with 'motorbenchctl step'</source>
-        <translation>ihn von Hand mit 'motorbenchctl step' abstimmen</translation>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>ihn von Hand mit &apos;motorbenchctl step&apos; abstimmen</translation>
     </message>
     <message>
         <source>tuning %1: %2</source>
@@ -16984,24 +16984,24 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zurückgenommen: %1</translation>
     </message>
     <message>
-        <source>unix links have no option '%1'</source>
-        <translation>unix-Links haben keine Option '%1'</translation>
+        <source>unix links have no option &apos;%1&apos;</source>
+        <translation>unix-Links haben keine Option &apos;%1&apos;</translation>
     </message>
     <message>
         <source>unknown error</source>
         <translation>unbekannter Fehler</translation>
     </message>
     <message>
-        <source>unknown fault '%1'</source>
-        <translation>unbekannter Fehler '%1'</translation>
+        <source>unknown fault &apos;%1&apos;</source>
+        <translation>unbekannter Fehler &apos;%1&apos;</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a serial link</source>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
         <translation>unbekannte Option „%1“ einer seriellen Verbindung</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a simulated link</source>
-        <translation>unbekannte Option '%1' eines simulierten Links</translation>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
+        <translation>unbekannte Option &apos;%1&apos; eines simulierten Links</translation>
     </message>
     <message>
         <source>unplug it and plug it in again</source>
@@ -17100,8 +17100,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>es wie 2.5 schreiben</translation>
     </message>
     <message>
-        <source>write it with 'motorbenchctl set'</source>
-        <translation>es mit 'motorbenchctl set' schreiben</translation>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
+        <translation>es mit &apos;motorbenchctl set&apos; schreiben</translation>
     </message>
     <message>
         <source>write it with a dot, like 1.5, and no comma</source>
@@ -17172,8 +17172,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 ließ sich nicht messen</translation>
     </message>
     <message>
-        <source>%1 has no duty command, so '%2' is not measured</source>
-        <translation>%1 hat kein Kommando für den Tastgrad, '%2' wird also nicht gemessen</translation>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
+        <translation>%1 hat kein Kommando für den Tastgrad, &apos;%2&apos; wird also nicht gemessen</translation>
     </message>
     <message>
         <source>%1 has no firmware update here</source>
@@ -17204,44 +17204,44 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 des Rezepts lesen sich anders zurück, als erstes %2</translation>
     </message>
     <message>
-        <source>'%1' must be a number</source>
-        <translation>'%1' muss eine Zahl sein</translation>
+        <source>&apos;%1&apos; must be a number</source>
+        <translation>&apos;%1&apos; muss eine Zahl sein</translation>
     </message>
     <message>
-        <source>'%1' must be a text</source>
-        <translation>'%1' muss ein Text sein</translation>
+        <source>&apos;%1&apos; must be a text</source>
+        <translation>&apos;%1&apos; muss ein Text sein</translation>
     </message>
     <message>
-        <source>'%1' must be a whole number</source>
-        <translation>'%1' muss eine ganze Zahl sein</translation>
+        <source>&apos;%1&apos; must be a whole number</source>
+        <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
     </message>
     <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>ein Name hat keinen Zeilenumbruch, Tabulator und kein anderes Steuerzeichen</translation>
     </message>
     <message>
-        <source>'%1' must be an object in braces</source>
-        <translation>'%1' muss ein Objekt in geschweiften Klammern sein</translation>
+        <source>&apos;%1&apos; must be an object in braces</source>
+        <translation>&apos;%1&apos; muss ein Objekt in geschweiften Klammern sein</translation>
     </message>
     <message>
-        <source>'encoder' is true: it counts both ways</source>
-        <translation>'encoder' ist true: er zählt in beide Richtungen</translation>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
+        <translation>&apos;encoder&apos; ist true: er zählt in beide Richtungen</translation>
     </message>
     <message>
-        <source>'store' must be true or false</source>
-        <translation>'store' muss true oder false sein</translation>
+        <source>&apos;store&apos; must be true or false</source>
+        <translation>&apos;store&apos; muss true oder false sein</translation>
     </message>
     <message>
-        <source>'to' is missing</source>
-        <translation>'to' fehlt</translation>
+        <source>&apos;to&apos; is missing</source>
+        <translation>&apos;to&apos; fehlt</translation>
     </message>
     <message>
         <source>Giving it number %1</source>
         <translation>Vergabe der Nummer %1</translation>
     </message>
     <message>
-        <source>"via" must name the other way in, such as "%1"</source>
-        <translation>"via" muss den anderen Weg nennen, etwa "%1"</translation>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>&quot;via&quot; muss den anderen Weg nennen, etwa &quot;%1&quot;</translation>
     </message>
     <message>
         <source>a recipe is a JSON object</source>
@@ -17280,8 +17280,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ihm zuerst eine Nummer geben, oder den Selbsttest aus dem Rezept nehmen</translation>
     </message>
     <message>
-        <source>it begins with "recipe": 1</source>
-        <translation>es beginnt mit "recipe": 1</translation>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>es beginnt mit &quot;recipe&quot;: 1</translation>
     </message>
     <message>
         <source>it begins with {</source>
@@ -17356,20 +17356,20 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Encoder zählt nicht in beide Richtungen</translation>
     </message>
     <message>
-        <source>the key '%1' is there twice</source>
-        <translation>der Schlüssel '%1' steht zweimal da</translation>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>der Schlüssel &apos;%1&apos; steht zweimal da</translation>
     </message>
     <message>
-        <source>the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]</source>
-        <translation>die Grenze von '%1' muss der größte Wert sein, 0 oder mehr, oder [kleinster, größter]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>die Grenze von &apos;%1&apos; muss der größte Wert sein, 0 oder mehr, oder [kleinster, größter]</translation>
     </message>
     <message>
         <source>the self-test could not go on: %1</source>
         <translation>der Selbsttest konnte nicht weitergehen: %1</translation>
     </message>
     <message>
-        <source>the self-test was ended by the guard '%1': %2</source>
-        <translation>der Selbsttest wurde von der Überwachung '%1' beendet: %2</translation>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
+        <translation>der Selbsttest wurde von der Überwachung &apos;%1&apos; beendet: %2</translation>
     </message>
     <message>
         <source>the self-test was stopped by hand</source>
@@ -17416,16 +17416,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>dieses Gerät wartet in seinem Bootloader, und das Rezept hat keine Firmware dafür</translation>
     </message>
     <message>
-        <source>unknown family '%1'</source>
-        <translation>unbekannte Familie '%1'</translation>
+        <source>unknown family &apos;%1&apos;</source>
+        <translation>unbekannte Familie &apos;%1&apos;</translation>
     </message>
     <message>
-        <source>unknown key '%1'</source>
-        <translation>unbekannter Schlüssel '%1'</translation>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>unbekannter Schlüssel &apos;%1&apos;</translation>
     </message>
     <message>
-        <source>unknown loop '%1'</source>
-        <translation>unbekannter Regler '%1'</translation>
+        <source>unknown loop &apos;%1&apos;</source>
+        <translation>unbekannter Regler &apos;%1&apos;</translation>
     </message>
     <message>
         <source>%1 cannot be painted</source>
@@ -17528,16 +17528,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
     </message>
     <message>
-        <source>%1 has no option '%2'</source>
-        <translation>%1 hat keine Option '%2'</translation>
+        <source>%1 has no option &apos;%2&apos;</source>
+        <translation>%1 hat keine Option &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 said nothing for a minute and was ended</source>
         <translation>%1 sagte eine Minute lang nichts und wurde beendet</translation>
     </message>
     <message>
-        <source>'%1' is no value for the option '%2' of %3</source>
-        <translation>%3: '%1' ist kein Wert für die Option '%2'</translation>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
+        <translation>%3: &apos;%1&apos; ist kein Wert für die Option &apos;%2&apos;</translation>
     </message>
     <message>
         <source>a simulated Abstract DC Drive</source>
@@ -17576,8 +17576,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 ist keine Aufnahme</translation>
     </message>
     <message>
-        <source>'%1' is no journal that stations share</source>
-        <translation>'%1' ist kein Journal, das Stationen sich teilen</translation>
+        <source>&apos;%1&apos; is no journal that stations share</source>
+        <translation>&apos;%1&apos; ist kein Journal, das Stationen sich teilen</translation>
     </message>
     <message>
         <source>Put values back</source>
@@ -17620,7 +17620,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das Journal auf dem Server stammt von einer neueren Version dieses Programms</translation>
     </message>
     <message>
-        <source>the journal's server: %1</source>
+        <source>the journal&apos;s server: %1</source>
         <translation>der Server des Journals: %1</translation>
     </message>
     <message>
@@ -17708,8 +17708,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>mehr Weg zulassen, damit Stöße dauern dürfen</translation>
     </message>
     <message>
-        <source>drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it</source>
-        <translation>mit Tastgrad fahren, oder sein I mit 'motorbenchctl step' versuchen: nicht jede Firmware rechnet es</translation>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>mit Tastgrad fahren, oder sein I mit &apos;motorbenchctl step&apos; versuchen: nicht jede Firmware rechnet es</translation>
     </message>
     <message>
         <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
@@ -17920,7 +17920,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Scharf-Taste halten, dann das Gerät erneut anschließen</translation>
     </message>
     <message>
-        <source>it was cut off at '%1' and does not answer any more</source>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
         <translation>es wurde bei „%1“ abgebrochen und antwortet nicht mehr</translation>
     </message>
     <message>
@@ -17964,8 +17964,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Stück davon ist größer als %1 MB</translation>
     </message>
     <message>
-        <source>its chunks are packed by '%1'; zstd and lz4 are known</source>
-        <translation>seine Stücke sind mit '%1' gepackt; bekannt sind zstd und lz4</translation>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>seine Stücke sind mit &apos;%1&apos; gepackt; bekannt sind zstd und lz4</translation>
     </message>
     <message>
         <source>messages in JSON can be read, and what this program wrote</source>
@@ -18116,7 +18116,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Benutzer</translation>
     </message>
     <message>
-        <source>a step would draw too much current: the unit's own profile leads, at %1 counts/s at most</source>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
         <translation>ein Sprung zöge zu viel Strom: das eigene Profil des Geräts führt, mit höchstens %1 counts/s</translation>
     </message>
     <message>
@@ -18144,7 +18144,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>prüfen, ob der Motor für dieses Gerät zu stark ist</translation>
     </message>
     <message>
-        <source>the unit's own profile led at %1 counts/s, for a step would draw too much current</source>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>das eigene Profil des Geräts führte mit %1 counts/s, denn ein Sprung zöge zu viel Strom</translation>
     </message>
     <message>
@@ -18276,16 +18276,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel beginnt also innerhalb %1 von seinem Ort und geht weiter, sobald seine Ausgabe es sichtlich erlaubt; einmal p, d und divisor schreiben</translation>
     </message>
     <message>
-        <source>write "value" or "raw"</source>
-        <translation>"value" oder "raw" schreiben</translation>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>&quot;value&quot; oder &quot;raw&quot; schreiben</translation>
     </message>
     <message>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>%1 Tastgrad machen den Motor schneller als die erlaubten %2 counts/s</translation>
     </message>
     <message>
-        <source>'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun</source>
-        <translation>'sqlite3 %1 .recover' zeigt, was sie noch enthält; ist sie weggeräumt, wird eine neue begonnen</translation>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; zeigt, was sie noch enthält; ist sie weggeräumt, wird eine neue begonnen</translation>
     </message>
     <message>
         <source>another program holds it: try again when that has ended</source>
@@ -18300,7 +18300,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Platz auf ihrem Datenträger schaffen</translation>
     </message>
     <message>
-        <source>%1: its value is in '%2', its unit is '%3'</source>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
         <translation>%1: Der Wert steht in „%2“, die Einheit ist „%3“</translation>
     </message>
     <message>
@@ -18524,7 +18524,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>schließen Sie die Verbindung und öffnen Sie sie wieder, um zu sehen, wer dort ist</translation>
     </message>
     <message>
-        <source>another unit answers as number %1: serial number '%2' instead of '%3'</source>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
         <translation>ein anderes Gerät antwortet als Nummer %1: Seriennummer „%2“ statt „%3“</translation>
     </message>
     <message>
@@ -18600,15 +18600,15 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>drehen Sie seine Welle, bis seine Position %1 Schritte von 0 entfernt ist, denn daran ist zu sehen, dass er aus war; schalten Sie ihn dann aus und wieder ein</translation>
     </message>
     <message>
-        <source>'%1' must be above 0 and at most %2</source>
-        <translation>'%1' muss größer als 0 und höchstens %2 sein</translation>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>&apos;%1&apos; muss größer als 0 und höchstens %2 sein</translation>
     </message>
     <message>
         <source>nothing was written, because what is there cannot be kept: %1</source>
         <translation>nichts wurde geschrieben, weil das Vorhandene nicht aufbewahrt werden kann: %1</translation>
     </message>
     <message>
-        <source>where it is left out the unit's own limit serves</source>
+        <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>wo er fehlt, gilt die eigene Grenze des Geräts</translation>
     </message>
     <message>
@@ -18616,16 +18616,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>seine Nummer gilt ab dem nächsten Aus- und Einschalten, und nichts beweist sie vorher</translation>
     </message>
     <message>
-        <source>put it back first, as 'motorbenchctl set %1 %2' does</source>
-        <translation>zuerst zurückstellen, wie es 'motorbenchctl set %1 %2' tut</translation>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
+        <translation>zuerst zurückstellen, wie es &apos;motorbenchctl set %1 %2&apos; tut</translation>
     </message>
     <message>
         <source>trial %1 did not put back what it changed</source>
         <translation>Versuch %1 hat nicht zurückgestellt, was er geändert hat</translation>
     </message>
     <message>
-        <source>'%1' must not be empty</source>
-        <translation>'%1' darf nicht leer sein</translation>
+        <source>&apos;%1&apos; must not be empty</source>
+        <translation>&apos;%1&apos; darf nicht leer sein</translation>
     </message>
     <message>
         <source>the steps in both directions kept their limits; the gains are as they were</source>
@@ -18648,7 +18648,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>1 CAN-FD-Frame ist ausgelassen, denn gelesen wird nur klassisches CAN</translation>
     </message>
     <message>
-        <source>a simulated board's socket has no option '%1'</source>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
         <translation>der Socket einer simulierten Platine hat keine Option „%1“</translation>
     </message>
     <message>
@@ -18664,7 +18664,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zulässig sind 0 und 1</translation>
     </message>
     <message>
-        <source>link option '%1' is there twice</source>
+        <source>link option &apos;%1&apos; is there twice</source>
         <translation>die Option „%1“ der Verbindung steht zweimal da</translation>
     </message>
     <message>
@@ -18688,7 +18688,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Versorgung aus- und einschalten, dann noch einmal: was dann gelesen wird, kommt aus seinem Flash</translation>
     </message>
     <message>
-        <source>take it out of the recipe's parameters, or serve such units by a recipe of their own</source>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
         <translation>ihn aus den Parametern des Rezepts nehmen oder solche Geräte nach einem eigenen Rezept bedienen</translation>
     </message>
     <message>
@@ -18783,14 +18783,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>write an averaging of 1 … 500, then switch it off and on</source>
         <translation>schreiben Sie eine Mittelung von 1 … 500, dann schalten Sie ihn aus und wieder ein</translation>
     </message>
-<message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben</translation>
-    </message>
     <message>
         <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
         <translation>Noch ist nichts geschrieben. Hat OpenOCD den Antrieb schon angehalten, so steht er: aus- und wieder einschalten</translation>
@@ -18811,7 +18803,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>wait until it is done</source>
         <translation>warten, bis es fertig ist</translation>
     </message>
-<message>
+    <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
         <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; neu suchen</translation>
     </message>

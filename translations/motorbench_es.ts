@@ -450,19 +450,19 @@
 <context>
     <name>FrameFilterParser</name>
     <message>
-        <source>')' has no '(' before it</source>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
         <translation>falta «(» antes de «)»</translation>
     </message>
     <message>
-        <source>'%1' needs a term before it</source>
+        <source>&apos;%1&apos; needs a term before it</source>
         <translation>«%1» necesita un término delante</translation>
     </message>
     <message>
-        <source>a term is missing after '%1'</source>
+        <source>a term is missing after &apos;%1&apos;</source>
         <translation>falta un término después de «%1»</translation>
     </message>
     <message>
-        <source>'(' is not closed: a ')' is missing</source>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>«(» sin cerrar: falta «)»</translation>
     </message>
     <message>
@@ -473,55 +473,55 @@
 <context>
     <name>FrameTermReader</name>
     <message>
-        <source>'%1': a comparison begins with field., such as field.%1</source>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>«%1»: una comparación empieza por field., por ejemplo field.%1</translation>
     </message>
     <message>
-        <source>'%1:' has nothing after the colon</source>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
         <translation>«%1:» no tiene nada tras los dos puntos</translation>
     </message>
     <message>
-        <source>'%1:' is not known; id, family, message, device, dir, data, is and field. are</source>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
         <translation>«%1:» no se conoce; sí id, family, message, device, dir, data, is y field.</translation>
     </message>
     <message>
-        <source>'%1:' is not known; '%2:' is</source>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
         <translation>«%1:» no se conoce; sí «%2:»</translation>
     </message>
     <message>
-        <source>'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
         <translation>«%1» no es un identificador: hexadecimal, como 0x2061405, 0x2061* o 100..1FF</translation>
     </message>
     <message>
-        <source>'%1' is no device number: such as 5, 5,7 or 1..9</source>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
         <translation>«%1» no es un número de dispositivo: como 5, 5,7 o 1..9</translation>
     </message>
     <message>
-        <source>'%1' are no bytes: hexadecimal such as A125*, without blanks</source>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
         <translation>«%1» no son bytes: hexadecimal, como A125*, sin espacios</translation>
     </message>
     <message>
-        <source>no family is called '%1'; there is %2</source>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
         <translation>ninguna familia se llama «%1»; existe %2</translation>
     </message>
     <message>
-        <source>'dir:%1' is not known; dir:rx and dir:tx are</source>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
         <translation>«dir:%1» no se conoce; sí dir:rx y dir:tx</translation>
     </message>
     <message>
-        <source>'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
         <translation>«is:%1» no se conoce; sí tx, rx, extended, standard, remote, error, unknown, known y control</translation>
     </message>
     <message>
-        <source>'field.' needs the name of a field, such as field.trgt&gt;100</source>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
         <translation>«field.» necesita el nombre de un campo, por ejemplo field.trgt&gt;100</translation>
     </message>
     <message>
-        <source>'field.%1%2' needs a number behind it</source>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
         <translation>«field.%1%2» necesita un número detrás</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>«%1» no es un número</translation>
     </message>
     <message>
@@ -1005,7 +1005,7 @@
         <translation>%1 no está armado. Selecciónelo y mantenga pulsado Armar en la cabecera.</translation>
     </message>
     <message>
-        <source>'%1' is no frame such as 02061405#8125</source>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
         <translation>«%1» no es una trama como 02061405#8125</translation>
     </message>
     <message>
@@ -1045,7 +1045,7 @@
     <name>SignalText</name>
     <message>
         <source>small</source>
-        <extracomment>Translate as "capital" where a noun has a capital letter in the middle of a line too.</extracomment>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>small</translation>
     </message>
 </context>
@@ -1586,7 +1586,7 @@
         <translation>Una cuenta del sensor cambia el ciclo un %1 % a través de D; hasta un 10 % es silencioso.</translation>
     </message>
     <message>
-        <source>The drive's ramp takes %1 to full duty, which is slower than this loop.</source>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
         <translation>La rampa del controlador tarda %1 hasta el ciclo máximo: es más lenta que este lazo.</translation>
     </message>
     <message>
@@ -1677,7 +1677,7 @@
         <translation>Eso supera el 2 % del escalón.</translation>
     </message>
     <message>
-        <source>The drive's least output helps.</source>
+        <source>The drive&apos;s least output helps.</source>
         <translation>La salida mínima del controlador ayuda.</translation>
     </message>
     <message>
@@ -1693,11 +1693,11 @@
         <translation>Este controlador no tiene rampa propia.</translation>
     </message>
     <message>
-        <source>The drive's ramp was not read yet.</source>
+        <source>The drive&apos;s ramp was not read yet.</source>
         <translation>La rampa del controlador aún no se ha leído.</translation>
     </message>
     <message>
-        <source>The drive's ramp is off.</source>
+        <source>The drive&apos;s ramp is off.</source>
         <translation>La rampa del controlador está desactivada.</translation>
     </message>
     <message>
@@ -1907,7 +1907,7 @@
         <source>an experiment on it has not ended</source>
         <translation>un ensayo con él aún no ha terminado</translation>
     </message>
-<message>
+    <message>
         <source>the computer slept</source>
         <translation>el ordenador estuvo suspendido</translation>
     </message>
@@ -3521,7 +3521,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Anular límites</translation>
     </message>
     <message>
-        <source>The two below replace the device's own settings for limit switches. Changing it disarms.</source>
+        <source>The two below replace the device&apos;s own settings for limit switches. Changing it disarms.</source>
         <translation>Los dos de abajo sustituyen los ajustes del dispositivo para los finales de carrera. Cambiarlo desarma.</translation>
     </message>
     <message>
@@ -4995,7 +4995,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>%1 bit/s</translation>
     </message>
     <message>
-        <source>the computer's own RS-485 port</source>
+        <source>the computer&apos;s own RS-485 port</source>
         <translation>puerto RS-485 propio del ordenador</translation>
     </message>
     <message>
@@ -5003,7 +5003,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>RS-485</translation>
     </message>
     <message>
-        <source>Lets the kernel switch the driver of a port on the computer's board. Adapters on USB switch by themselves: leave it off.</source>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
         <translation>Deja que el núcleo conmute el transmisor de un puerto de la placa del ordenador. Los adaptadores USB conmutan solos: déjelo desactivado.</translation>
     </message>
     <message>
@@ -5262,7 +5262,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>RAMPA</translation>
     </message>
     <message>
-        <source>The drive's own ramp was on</source>
+        <source>The drive&apos;s own ramp was on</source>
         <translation>Actuó la rampa propia del controlador</translation>
     </message>
     <message>
@@ -5517,7 +5517,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Preparar enciende los motores donde están; nada gira antes de Iniciar.</translation>
     </message>
     <message>
-        <source>not prepared: '%1' is no number of counts</source>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
         <translation>no preparado: «%1» no es un número de cuentas</translation>
     </message>
 </context>
@@ -5563,7 +5563,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>desconocido</translation>
     </message>
     <message>
-        <source>Frames received that no controller family knows: somebody else's traffic</source>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
         <translation>Tramas recibidas que ninguna familia de controladores conoce: tráfico ajeno</translation>
     </message>
     <message>
@@ -6722,7 +6722,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>en</translation>
     </message>
     <message>
-        <source>the device's own line</source>
+        <source>the device&apos;s own line</source>
         <translation>la línea propia del dispositivo</translation>
     </message>
     <message>
@@ -7256,7 +7256,7 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>hold Arm in the header</source>
         <translation>mantenga Armar en la cabecera</translation>
     </message>
-<message>
+    <message>
         <source>written, not proved</source>
         <translation>escrito, sin demostrar</translation>
     </message>
@@ -8956,7 +8956,7 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Sin consigna. Introduzca un número hasta ± %1.</translation>
     </message>
     <message>
-        <source>"%1" is no number. Enter one up to ± %2.</source>
+        <source>&quot;%1&quot; is no number. Enter one up to ± %2.</source>
         <translation>«%1» no es un número. Introduzca uno hasta ± %2.</translation>
     </message>
     <message>
@@ -10531,7 +10531,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>mantenido: mueve suavemente el motor armado hacia delante o hacia atrás</translation>
     </message>
     <message>
-        <source>on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>en el deslizador de una ganancia: 2 %, con Mayús 0,2 %, con Ctrl 20 %; la rueda hace lo mismo con 2 %</translation>
     </message>
     <message>
@@ -11223,7 +11223,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1, as in the image</source>
         <translation>%1, como en la imagen</translation>
     </message>
-<message>
+    <message>
         <source>Written, not proved: %1</source>
         <translation>Escrito, sin demostrar: %1</translation>
     </message>
@@ -11464,11 +11464,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Temperatura</translation>
     </message>
     <message>
-        <source>F: the firmware's codes</source>
+        <source>F: the firmware&apos;s codes</source>
         <translation>F: códigos del firmware</translation>
     </message>
     <message>
-        <source>A unit that speaks the document's codes would take position for current and current for position.</source>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
         <translation>Un equipo que usa los códigos del documento tomaría posición por corriente y corriente por posición.</translation>
     </message>
     <message>
@@ -11476,7 +11476,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>L: tramas antiguas de 8 bytes</translation>
     </message>
     <message>
-        <source>A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
         <translation>Un equipo con firmware actual ignora estas tramas, salvo la parada, que se envía de ambas formas.</translation>
     </message>
     <message>
@@ -11488,11 +11488,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Solo se observa: no hay ningún código que lo pare.</translation>
     </message>
     <message>
-        <source>D: the document's codes</source>
+        <source>D: the document&apos;s codes</source>
         <translation>D: códigos del documento</translation>
     </message>
     <message>
-        <source>A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
         <translation>Un equipo que usa los códigos del firmware marcha a plena potencia cuando se le indica una posición, y pierde su divisor cuando se escribe D.</translation>
     </message>
     <message>
@@ -11620,7 +11620,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la sonda de depuración está, pero no se permite abrirla</translation>
     </message>
     <message>
-        <source>install OpenOCD's udev rules or ask your administrator</source>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
         <translation>instale las reglas udev de OpenOCD o consulte al administrador</translation>
     </message>
     <message>
@@ -11688,7 +11688,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Entrada analógica</translation>
     </message>
     <message>
-        <source>count/100 ms</source>
+        <source>count/100&#xa0;ms</source>
         <translation>count/100 ms</translation>
     </message>
     <message>
@@ -11776,7 +11776,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Un contacto normalmente cerrado actúa al abrirse, uno normalmente abierto al cerrarse. Al actuar, bloquea la salida en este sentido.</translation>
     </message>
     <message>
-        <source>On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.</source>
+        <source>On switches the limit OFF: the sense is the opposite of the soft limits&apos; Enabled.</source>
         <translation>Encendido DESACTIVA el límite: al revés que «activado» en los límites por software.</translation>
     </message>
     <message>
@@ -11860,7 +11860,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Límite sw. adelante activado</translation>
     </message>
     <message>
-        <source>On switches the limit ON: the sense is the opposite of the switches' Disabled.</source>
+        <source>On switches the limit ON: the sense is the opposite of the switches&apos; Disabled.</source>
         <translation>Encendido ACTIVA el límite: al revés que «inactivo» en los contactos.</translation>
     </message>
     <message>
@@ -12160,7 +12160,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>sale con</translation>
     </message>
     <message>
-        <source>Typed at the end. "none" leaves it to jumper and reset.</source>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
         <translation>Se escribe al final. «none» lo deja al puente y al reset.</translation>
     </message>
     <message>
@@ -12184,7 +12184,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>La hoja de datos se contradice sobre las consignas de velocidad. Con counts/s simples, una placa que espera × 4096 apenas se mueve; el error contrario pide plena velocidad. Cámbielo solo si una placa apenas se mueve, y con un límite de potencia pequeño.</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
         <translation>La hoja de datos y la biblioteca del fabricante dan bits opuestos a la polaridad y los flancos de las entradas. Es más probable que acierte la biblioteca; un experimento con el bit de estado lo aclara.</translation>
     </message>
     <message>
@@ -12256,7 +12256,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Hallar la polaridad de entrada</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
         <translation>La hoja de datos y la biblioteca del fabricante dan bits opuestos a la polaridad de las entradas. La entrada de un eje se configura con ambas y el bit de estado indica cuál está activa con el nivel que tiene el pin. Nada se mueve, el contador se mantiene y la entrada queda después configurada como estaba.</translation>
     </message>
     <message>
@@ -12292,7 +12292,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>El bootloader saluda</translation>
     </message>
     <message>
-        <source>Its greeting on the serial port holds the word "bootloader".</source>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
         <translation>Su saludo en el puerto serie contiene la palabra «bootloader».</translation>
     </message>
     <message>
@@ -12384,15 +12384,15 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>fijar en el extremo negativo</translation>
     </message>
     <message>
-        <source>Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
         <translation>Del lazo de posición, en unidades propias de la placa, cuya escala no está documentada. No se puede releer; los cuatro se envían juntos.</translation>
     </message>
     <message>
-        <source>Bound of the position loop's integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
         <translation>Límite de la integral del lazo de posición, en unidades de potencia: 8191 es plena potencia. No se puede releer.</translation>
     </message>
     <message>
-        <source>Of the velocity loop, in the board's own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
         <translation>Del lazo de velocidad, en unidades propias de la placa, cuya escala no está documentada. No se puede releer; los tres se envían juntos.</translation>
     </message>
     <message>
@@ -12412,7 +12412,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Para qué sirve la entrada del canal. No se puede releer; los cinco valores de una entrada se envían juntos.</translation>
     </message>
     <message>
-        <source>At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
         <translation>Con qué nivel está activa la entrada. La hoja de datos y la biblioteca del fabricante lo indican con bits opuestos: a cuál obedece la placa es un ajuste del dispositivo, y un experimento lo aclara.</translation>
     </message>
     <message>
@@ -12432,7 +12432,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Qué envía la placa de este canal: bits 0 y 1 tamaño de la posición, 2 relativa, 3 velocidad, 5 estado. El programa necesita la posición completa.</translation>
     </message>
     <message>
-        <source>The encoder's counter. Writing it moves the zero, not the motor.</source>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
         <translation>El contador del encoder. Escribirlo mueve el cero, no el motor.</translation>
     </message>
     <message>
@@ -12572,7 +12572,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>avrdude no conoce ningún programador con este nombre</translation>
     </message>
     <message>
-        <source>'avrdude -c ?' lists them</source>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
         <translation>«avrdude -c ?» los enumera</translation>
     </message>
     <message>
@@ -12728,11 +12728,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>UART: el envío tardó demasiado (la hoja de datos se refiere a un error de paridad)</translation>
     </message>
     <message>
-        <source>UART: receive buffer overflow, by the datasheet's number</source>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
         <translation>UART: desbordamiento del búfer de recepción, según el número de la hoja de datos</translation>
     </message>
     <message>
-        <source>UART: data overrun, by the datasheet's number</source>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
         <translation>UART: desbordamiento de datos, según el número de la hoja de datos</translation>
     </message>
     <message>
@@ -13072,7 +13072,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no responde: %2</translation>
     </message>
     <message>
-        <source>%1 does not exist in this device's dialect</source>
+        <source>%1 does not exist in this device&apos;s dialect</source>
         <translation>%1 no existe en el dialecto de este dispositivo</translation>
     </message>
     <message>
@@ -13124,7 +13124,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no tiene %2</translation>
     </message>
     <message>
-        <source>%1 has no '%2' to be set</source>
+        <source>%1 has no &apos;%2&apos; to be set</source>
         <translation>%1 no tiene ningún «%2» que fijar</translation>
     </message>
     <message>
@@ -13140,7 +13140,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no tiene ninguna orden que ponga a cero su posición</translation>
     </message>
     <message>
-        <source>%1 has no dialect '%2'</source>
+        <source>%1 has no dialect &apos;%2&apos;</source>
         <translation>%1 no tiene el dialecto «%2»</translation>
     </message>
     <message>
@@ -13148,7 +13148,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no tiene orden de ciclo de trabajo</translation>
     </message>
     <message>
-        <source>%1 has no duty command, so '%2' is not measured</source>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
         <translation>%1 no tiene orden de ciclo de trabajo, así que «%2» no se mide</translation>
     </message>
     <message>
@@ -13164,11 +13164,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no tiene ninguna trama de %2</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tried</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
         <translation>%1 no tiene un lazo «%2» que se pueda ensayar</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tuned</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
         <translation>%1 no tiene un lazo «%2» que se pueda ajustar</translation>
     </message>
     <message>
@@ -13180,7 +13180,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no tiene ningún número que se pueda fijar</translation>
     </message>
     <message>
-        <source>%1 has no option '%2'</source>
+        <source>%1 has no option &apos;%2&apos;</source>
         <translation>%1 no tiene la opción «%2»</translation>
     </message>
     <message>
@@ -13592,11 +13592,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1: %2 de %3 ms es más fino de lo que sigue el dispositivo, que admite una consigna cada %4 ms</translation>
     </message>
     <message>
-        <source>%1: '%2' is neither on nor off</source>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
         <translation>%1: «%2» no es ni on ni off</translation>
     </message>
     <message>
-        <source>%1: '%2' is not a number</source>
+        <source>%1: &apos;%2&apos; is not a number</source>
         <translation>%1: «%2» no es un número</translation>
     </message>
     <message>
@@ -13644,7 +13644,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1: el estado %2 no tiene significado</translation>
     </message>
     <message>
-        <source>%1: the device answers '%2'</source>
+        <source>%1: the device answers &apos;%2&apos;</source>
         <translation>%1: el dispositivo responde «%2»</translation>
     </message>
     <message>
@@ -13660,51 +13660,51 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>'%1' is no journal that stations share</source>
+        <source>&apos;%1&apos; is no journal that stations share</source>
         <translation>«%1» no es un diario compartido entre estaciones</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>«%1» no es un número</translation>
     </message>
     <message>
-        <source>'%1' is no path of a socket: it has 1 to 107 characters</source>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
         <translation>«%1» no es una ruta de socket: debe tener de 1 a 107 caracteres</translation>
     </message>
     <message>
-        <source>'%1' is no time in seconds</source>
+        <source>&apos;%1&apos; is no time in seconds</source>
         <translation>«%1» no es un tiempo en segundos</translation>
     </message>
     <message>
-        <source>'%1' is no value for the option '%2' of %3</source>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
         <translation>«%1» no es un valor para la opción «%2» de %3</translation>
     </message>
     <message>
-        <source>'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
         <translation>«%1» no es un dispositivo: se necesita LINK/FAMILY:ADDRESS, como sim:can/dmc60c:5</translation>
     </message>
     <message>
-        <source>'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
+        <source>&apos;%1&apos; is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
         <translation>«%1» no es un enlace: se necesita SCHEME:PATH, como socketcan:can0 o sim:</translation>
     </message>
     <message>
-        <source>'%1' is not a simulated device: %2</source>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
         <translation>«%1» no es un dispositivo simulado: %2</translation>
     </message>
     <message>
-        <source>'%1' is not qtcan:PLUGIN:INTERFACE</source>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
         <translation>«%1» no es qtcan:PLUGIN:INTERFACE</translation>
     </message>
     <message>
-        <source>'%1' must be a number</source>
+        <source>&apos;%1&apos; must be a number</source>
         <translation>«%1» debe ser un número</translation>
     </message>
     <message>
-        <source>'%1' must be a text</source>
+        <source>&apos;%1&apos; must be a text</source>
         <translation>«%1» debe ser un texto</translation>
     </message>
     <message>
-        <source>'%1' must be a whole number</source>
+        <source>&apos;%1&apos; must be a whole number</source>
         <translation>«%1» debe ser un número entero</translation>
     </message>
     <message>
@@ -13712,31 +13712,31 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un nombre no tiene saltos de línea, tabuladores ni otros caracteres de control</translation>
     </message>
     <message>
-        <source>'%1' must be an object in braces</source>
+        <source>&apos;%1&apos; must be an object in braces</source>
         <translation>«%1» debe ser un objeto entre llaves</translation>
     </message>
     <message>
-        <source>'%1' names no interface</source>
+        <source>&apos;%1&apos; names no interface</source>
         <translation>«%1» no nombra ninguna interfaz</translation>
     </message>
     <message>
-        <source>'encoder' is true: it counts both ways</source>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
         <translation>«encoder» es true: cuenta en ambos sentidos</translation>
     </message>
     <message>
-        <source>'motorbenchctl snapshots' lists those there are</source>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
         <translation>«motorbenchctl snapshots» enumera las que hay</translation>
     </message>
     <message>
-        <source>'motorbenchctl trials' lists those there are</source>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
         <translation>«motorbenchctl trials» enumera los que hay</translation>
     </message>
     <message>
-        <source>'store' must be true or false</source>
+        <source>&apos;store&apos; must be true or false</source>
         <translation>«store» debe ser true o false</translation>
     </message>
     <message>
-        <source>'to' is missing</source>
+        <source>&apos;to&apos; is missing</source>
         <translation>falta «to»</translation>
     </message>
     <message>
@@ -13748,7 +13748,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>--language admite uno de %1</translation>
     </message>
     <message>
-        <source>--out '%1' is no picture</source>
+        <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out «%1» no es una imagen</translation>
     </message>
     <message>
@@ -13756,7 +13756,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 no es un informe</translation>
     </message>
     <message>
-        <source>--out '%1' is no PDF</source>
+        <source>--out &apos;%1&apos; is no PDF</source>
         <translation>--out «%1» no es un PDF</translation>
     </message>
     <message>
@@ -13776,7 +13776,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>falta --target</translation>
     </message>
     <message>
-        <source>--target: '%1' is unknown</source>
+        <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target: «%1» es desconocido</translation>
     </message>
     <message>
@@ -13784,11 +13784,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>--tour necesita una carpeta para sus imágenes</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into a Supermodified</source>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
         <translation>--via: «%1» no es un acceso a un Supermodified</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into an Abstract DC Drive</source>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
         <translation>--via: «%1» no es un acceso a un Abstract DC Drive</translation>
     </message>
     <message>
@@ -14112,11 +14112,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Tan antiguo que solo lo para cortar la alimentación; se puede observar, pero no accionar.</translation>
     </message>
     <message>
-        <source>Speaks the document's codes, which no published firmware does.</source>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
         <translation>Usa los códigos del documento, cosa que ningún firmware publicado hace.</translation>
     </message>
     <message>
-        <source>Speaks the firmware's codes, not the document's.</source>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
         <translation>Usa los códigos del firmware, no los del documento.</translation>
     </message>
     <message>
@@ -14148,11 +14148,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Se ejecuta el bootloader; reinicie el equipo o actualice su firmware.</translation>
     </message>
     <message>
-        <source>The controller tells no version: the programmer's own verify and the controller's answer prove the update.</source>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
         <translation>El controlador no indica versión: la verificación del programador y la respuesta del controlador prueban la actualización.</translation>
     </message>
     <message>
-        <source>The drive tells no version: the programmer's own verify and the drive's answer prove the update.</source>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
         <translation>El accionamiento no indica versión: la verificación del programador y la respuesta del accionamiento prueban la actualización.</translation>
     </message>
     <message>
@@ -14220,15 +14220,15 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Escrito</translation>
     </message>
     <message>
-        <source>"via" must name the other way in, such as "%1"</source>
-        <translation>"via" debe indicar el otro acceso, como "%1"</translation>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>&quot;via&quot; debe indicar el otro acceso, como &quot;%1&quot;</translation>
     </message>
     <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>un DMC60C tiene un número de 0 a 63, no %1</translation>
     </message>
     <message>
-        <source>a DMC60C has no mode '%1'</source>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
         <translation>un DMC60C no tiene el modo «%1»</translation>
     </message>
     <message>
@@ -14248,7 +14248,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un DMC60C se actualiza por su propio enlace</translation>
     </message>
     <message>
-        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'</source>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
         <translation>una línea GPIO es CHIP:LINE, como gpiochip0:25, no «%1»</translation>
     </message>
     <message>
@@ -14260,7 +14260,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un QuadQuad2Drv tiene un solo tipo de chip</translation>
     </message>
     <message>
-        <source>a QuadQuad2Drv is simulated on the board's end of an SPI link</source>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
         <translation>un QuadQuad2Drv se simula en el extremo de la placa de un enlace SPI</translation>
     </message>
     <message>
@@ -14276,7 +14276,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un Supermodified tiene un id de 1 a 127, no %1</translation>
     </message>
     <message>
-        <source>a Supermodified has no mode '%1'</source>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>un Supermodified no tiene el modo «%1»</translation>
     </message>
     <message>
@@ -14304,7 +14304,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un bit</translation>
     </message>
     <message>
-        <source>a bootloader needs the board's serial line, such as boot=pty:./boot</source>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
         <translation>un bootloader necesita la línea serie de la placa, como boot=pty:./boot</translation>
     </message>
     <message>
@@ -14580,7 +14580,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un Abstract DC Drive no tiene finales de carrera, así que no hay anulación de límites</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no mode '%1'</source>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>un Abstract DC Drive no tiene el modo «%1»</translation>
     </message>
     <message>
@@ -14652,7 +14652,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>como máximo %1 con su P: use un modo con perfil o varios movimientos</translation>
     </message>
     <message>
-        <source>average takes 0 to 3600 seconds, not '%1'</source>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
         <translation>average admite de 0 a 3600 segundos, no «%1»</translation>
     </message>
     <message>
@@ -14832,7 +14832,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>elija otro lugar</translation>
     </message>
     <message>
-        <source>close that one first ('fuser %1' names it)</source>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
         <translation>cierre antes ese («fuser %1» indica cuál)</translation>
     </message>
     <message>
@@ -14992,7 +14992,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>se esperaba tiempo, canal, valor y unidad</translation>
     </message>
     <message>
-        <source>fault '%1' does not parse</source>
+        <source>fault &apos;%1&apos; does not parse</source>
         <translation>el fallo «%1» no se puede interpretar</translation>
     </message>
     <message>
@@ -15008,7 +15008,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>halle antes sus escalas de ganancia: Resumen, «Hallar las escalas de ganancia»</translation>
     </message>
     <message>
-        <source>find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'</source>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
         <translation>busque el emisor que lo llena, en la página Bus o con «motorbenchctl monitor»</translation>
     </message>
     <message>
@@ -15128,7 +15128,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>instálelo con</translation>
     </message>
     <message>
-        <source>install its vendor's driver</source>
+        <source>install its vendor&apos;s driver</source>
         <translation>instale el driver de su fabricante</translation>
     </message>
     <message>
@@ -15164,8 +15164,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>está presente</translation>
     </message>
     <message>
-        <source>it begins with "recipe": 1</source>
-        <translation>empieza por "recipe": 1</translation>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>empieza por &quot;recipe&quot;: 1</translation>
     </message>
     <message>
         <source>it begins with {</source>
@@ -15380,7 +15380,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la opción de enlace %1=%2 está fuera de rango</translation>
     </message>
     <message>
-        <source>link option '%1' is not KEY=VALUE</source>
+        <source>link option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>la opción de enlace «%1» no es KEY=VALUE</translation>
     </message>
     <message>
@@ -15500,7 +15500,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>indique otra carpeta</translation>
     </message>
     <message>
-        <source>name it by its number; 'motorbenchctl snapshots' lists them</source>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
         <translation>indíquela por su número; «motorbenchctl snapshots» las enumera</translation>
     </message>
     <message>
@@ -15696,15 +15696,15 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no es un archivo de parámetros: %1</translation>
     </message>
     <message>
-        <source>not a parameter file: it has no "parameters"</source>
-        <translation>no es un archivo de parámetros: no tiene "parameters"</translation>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>no es un archivo de parámetros: no tiene &quot;parameters&quot;</translation>
     </message>
     <message>
         <source>not sent: %1 for %2</source>
         <translation>no enviado: %1 para %2</translation>
     </message>
     <message>
-        <source>not sent: %1 outside the controller's flash</source>
+        <source>not sent: %1 outside the controller&apos;s flash</source>
         <translation>no enviado: %1 fuera de la flash del controlador</translation>
     </message>
     <message>
@@ -15796,7 +15796,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>openocd no está instalado</translation>
     </message>
     <message>
-        <source>option '%1' is not KEY=VALUE</source>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>la opción «%1» no es KEY=VALUE</translation>
     </message>
     <message>
@@ -15804,7 +15804,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>página %1 aceptada con la variante de CRC %2</translation>
     </message>
     <message>
-        <source>page %1 cannot be written: its flash failed the device's own check %2 times</source>
+        <source>page %1 cannot be written: its flash failed the device&apos;s own check %2 times</source>
         <translation>la página %1 no se puede escribir: su flash no superó la comprobación del dispositivo %2 veces</translation>
     </message>
     <message>
@@ -15864,7 +15864,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>vuelva a conectar el adaptador; el enlace se abre solo en cuanto esté activo</translation>
     </message>
     <message>
-        <source>polarity 0 is active high: the board follows the maker's library</source>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
         <translation>la polaridad 0 es activa a nivel alto: la placa sigue la biblioteca del fabricante</translation>
     </message>
     <message>
@@ -15908,11 +15908,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>verificando: un escalón de %1 counts/s</translation>
     </message>
     <message>
-        <source>pty links have the option baud=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>los enlaces pty tienen la opción baud=BITS_PER_SECOND, no «%1=%2»</translation>
     </message>
     <message>
-        <source>pty: is where 'simulate' puts its devices</source>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
         <translation>pty: es donde «simulate» pone sus dispositivos</translation>
     </message>
     <message>
@@ -15944,7 +15944,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>restituyendo los ajustes</translation>
     </message>
     <message>
-        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>los enlaces qtcan tienen la opción bitrate=BITS_PER_SECOND, no «%1=%2»</translation>
     </message>
     <message>
@@ -15996,7 +15996,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>elimine la causa y pruebe de nuevo</translation>
     </message>
     <message>
-        <source>replay links have no option '%1'</source>
+        <source>replay links have no option &apos;%1&apos;</source>
         <translation>los enlaces replay no tienen la opción «%1»</translation>
     </message>
     <message>
@@ -16096,7 +16096,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>varios equipos responden con este número en la grabación</translation>
     </message>
     <message>
-        <source>several units have a snapshot '%1'</source>
+        <source>several units have a snapshot &apos;%1&apos;</source>
         <translation>varios equipos tienen una instantánea «%1»</translation>
     </message>
     <message>
@@ -16116,7 +16116,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>instantánea %1, %2: %3 valores</translation>
     </message>
     <message>
-        <source>socketcan links have no option '%1'</source>
+        <source>socketcan links have no option &apos;%1&apos;</source>
         <translation>los enlaces socketcan no tienen la opción «%1»</translation>
     </message>
     <message>
@@ -16136,7 +16136,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la velocidad %1 counts/s supera 1,2 × %2 counts/s</translation>
     </message>
     <message>
-        <source>speed is 10000 to 10000000 Hz, not '%1'</source>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
         <translation>speed es de 10000 a 10000000 Hz, no «%1»</translation>
     </message>
     <message>
@@ -16148,7 +16148,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>speed=%1 no es una velocidad</translation>
     </message>
     <message>
-        <source>spidev links have no option '%1'</source>
+        <source>spidev links have no option &apos;%1&apos;</source>
         <translation>los enlaces spidev no tienen la opción «%1»</translation>
     </message>
     <message>
@@ -16544,7 +16544,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el dispositivo indica que el motor no está arrancado; puede haber perdido la alimentación</translation>
     </message>
     <message>
-        <source>the device's rate was not put back: %1</source>
+        <source>the device&apos;s rate was not put back: %1</source>
         <translation>la frecuencia del dispositivo no se restituyó: %1</translation>
     </message>
     <message>
@@ -16608,7 +16608,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el archivo está vacío</translation>
     </message>
     <message>
-        <source>the file is for family '%1', the device is a %2</source>
+        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
         <translation>el archivo es para la familia «%1», el dispositivo es un %2</translation>
     </message>
     <message>
@@ -16744,7 +16744,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el diario del servidor es de una versión más reciente de este programa</translation>
     </message>
     <message>
-        <source>the journal's server: %1</source>
+        <source>the journal&apos;s server: %1</source>
         <translation>el servidor del diario: %1</translation>
     </message>
     <message>
@@ -16756,7 +16756,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el núcleo no enumera sus interfaces: %1</translation>
     </message>
     <message>
-        <source>the key '%1' is there twice</source>
+        <source>the key &apos;%1&apos; is there twice</source>
         <translation>la clave «%1» aparece dos veces</translation>
     </message>
     <message>
@@ -16772,7 +16772,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la longitud de la trama es %1</translation>
     </message>
     <message>
-        <source>the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]</source>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
         <translation>el límite de «%1» debe ser el valor máximo, 0 o más, o [mínimo, máximo]</translation>
     </message>
     <message>
@@ -16880,7 +16880,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>se ordenó parar a los motores y no se les ve parados</translation>
     </message>
     <message>
-        <source>the name was written, but the device answers '%1'</source>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
         <translation>el nombre se escribió, pero el dispositivo responde «%1»</translation>
     </message>
     <message>
@@ -17004,7 +17004,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la autoprueba no pudo continuar: %1</translation>
     </message>
     <message>
-        <source>the self-test was ended by the guard '%1': %2</source>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
         <translation>la protección «%1» terminó la autoprueba: %2</translation>
     </message>
     <message>
@@ -17244,7 +17244,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no existe la entrada %1 en el diario</translation>
     </message>
     <message>
-        <source>there is no file '%1'</source>
+        <source>there is no file &apos;%1&apos;</source>
         <translation>no existe el archivo «%1»</translation>
     </message>
     <message>
@@ -17252,15 +17252,15 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no existe una disposición con este nombre</translation>
     </message>
     <message>
-        <source>there is no simulated link 'sim:%1': can, serial and spi are known</source>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>no existe el enlace simulado «sim:%1»: se conocen can, serial y spi</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1'</source>
+        <source>there is no snapshot &apos;%1&apos;</source>
         <translation>no existe la instantánea «%1»</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1' of this unit</source>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
         <translation>no existe la instantánea «%1» de este equipo</translation>
     </message>
     <message>
@@ -17328,7 +17328,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>este ordenador no se mantiene despierto mientras se accionan motores o se escribe firmware: %1; desactive entretanto su suspensión automática</translation>
     </message>
     <message>
-        <source>this device has no experiment '%1'</source>
+        <source>this device has no experiment &apos;%1&apos;</source>
         <translation>este dispositivo no tiene el experimento «%1»</translation>
     </message>
     <message>
@@ -17460,7 +17460,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>pruebe su lazo de posición</translation>
     </message>
     <message>
-        <source>tune it by hand with 'motorbenchctl step'</source>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
         <translation>ajústelo a mano con «motorbenchctl step»</translation>
     </message>
     <message>
@@ -17484,7 +17484,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>se atienden equipos en este enlace</translation>
     </message>
     <message>
-        <source>unix links have no option '%1'</source>
+        <source>unix links have no option &apos;%1&apos;</source>
         <translation>los enlaces unix no tienen la opción «%1»</translation>
     </message>
     <message>
@@ -17492,11 +17492,11 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>error desconocido</translation>
     </message>
     <message>
-        <source>unknown family '%1'</source>
+        <source>unknown family &apos;%1&apos;</source>
         <translation>familia desconocida «%1»</translation>
     </message>
     <message>
-        <source>unknown fault '%1'</source>
+        <source>unknown fault &apos;%1&apos;</source>
         <translation>fallo desconocido «%1»</translation>
     </message>
     <message>
@@ -17504,23 +17504,23 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>clave desconocida %1</translation>
     </message>
     <message>
-        <source>unknown key '%1'</source>
+        <source>unknown key &apos;%1&apos;</source>
         <translation>clave desconocida «%1»</translation>
     </message>
     <message>
-        <source>unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
+        <source>unknown link kind &apos;%1&apos;: sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
         <translation>tipo de enlace desconocido «%1»: se conocen sim, socketcan, qtcan, serial, spidev, unix y replay</translation>
     </message>
     <message>
-        <source>unknown loop '%1'</source>
+        <source>unknown loop &apos;%1&apos;</source>
         <translation>lazo desconocido «%1»</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a serial link</source>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
         <translation>opción desconocida «%1» de un enlace serie</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a simulated link</source>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
         <translation>opción desconocida «%1» de un enlace simulado</translation>
     </message>
     <message>
@@ -17644,7 +17644,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>escríbalo como 2.5</translation>
     </message>
     <message>
-        <source>write it with 'motorbenchctl set'</source>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
         <translation>escríbalo con «motorbenchctl set»</translation>
     </message>
     <message>
@@ -17716,7 +17716,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>permita más recorrido, para que los empujes puedan durar</translation>
     </message>
     <message>
-        <source>drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it</source>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
         <translation>muévalo por ciclo, o pruebe su I con «motorbenchctl step»: no todas las versiones del firmware la calculan</translation>
     </message>
     <message>
@@ -17928,7 +17928,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>mantenga Armar y vuelva a conectarlo</translation>
     </message>
     <message>
-        <source>it was cut off at '%1' and does not answer any more</source>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
         <translation>se interrumpió en «%1» y ya no responde</translation>
     </message>
     <message>
@@ -17972,8 +17972,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un bloque supera %1 MB</translation>
     </message>
     <message>
-        <source>its chunks are packed by '%1'; zstd and lz4 are known</source>
-        <translation>sus bloques están comprimidos con '%1'; se conocen zstd y lz4</translation>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>sus bloques están comprimidos con &apos;%1&apos;; se conocen zstd y lz4</translation>
     </message>
     <message>
         <source>messages in JSON can be read, and what this program wrote</source>
@@ -18116,7 +18116,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>usuario</translation>
     </message>
     <message>
-        <source>a step would draw too much current: the unit's own profile leads, at %1 counts/s at most</source>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
         <translation>un escalón tomaría demasiada corriente: guía el propio perfil del equipo, a %1 counts/s como máximo</translation>
     </message>
     <message>
@@ -18144,7 +18144,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>compruebe si el motor es demasiado fuerte para este equipo</translation>
     </message>
     <message>
-        <source>the unit's own profile led at %1 counts/s, for a step would draw too much current</source>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>guió el propio perfil del equipo a %1 counts/s, pues un escalón tomaría demasiada corriente</translation>
     </message>
     <message>
@@ -18276,7 +18276,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>aquí no se conocen las ganancias de este lazo, así que su destino empieza a menos de %1 de donde está, y avanza a medida que se ve que su salida lo permite; escriba una vez su p, su d y su divisor</translation>
     </message>
     <message>
-        <source>write "value" or "raw"</source>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>escriba «value» o «raw»</translation>
     </message>
     <message>
@@ -18284,8 +18284,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>con un ciclo de trabajo del %1 el motor va más rápido que los %2 counts/s permitidos</translation>
     </message>
     <message>
-        <source>'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun</source>
-        <translation>'sqlite3 %1 .recover' muestra lo que aún contiene; si se aparta, se empieza uno nuevo</translation>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; muestra lo que aún contiene; si se aparta, se empieza uno nuevo</translation>
     </message>
     <message>
         <source>another program holds it: try again when that has ended</source>
@@ -18300,7 +18300,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>libere espacio en su disco</translation>
     </message>
     <message>
-        <source>%1: its value is in '%2', its unit is '%3'</source>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
         <translation>%1: su valor está en «%2», su unidad es «%3»</translation>
     </message>
     <message>
@@ -18524,7 +18524,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>cierre el enlace y ábralo de nuevo para ver quién está ahí</translation>
     </message>
     <message>
-        <source>another unit answers as number %1: serial number '%2' instead of '%3'</source>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
         <translation>otro equipo responde con el número %1: número de serie «%2» en lugar de «%3»</translation>
     </message>
     <message>
@@ -18600,7 +18600,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>gire su eje hasta que su posición esté a %1 cuentas de 0, lo que mostrará que estuvo apagado; después apáguelo y enciéndalo</translation>
     </message>
     <message>
-        <source>'%1' must be above 0 and at most %2</source>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
         <translation>«%1» debe ser mayor que 0 y como máximo %2</translation>
     </message>
     <message>
@@ -18608,7 +18608,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no se ha escrito nada, porque no se puede conservar lo que hay: %1</translation>
     </message>
     <message>
-        <source>where it is left out the unit's own limit serves</source>
+        <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>si se omite, rige el límite propio de la unidad</translation>
     </message>
     <message>
@@ -18616,7 +18616,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>su número rige desde el próximo ciclo de alimentación, y nada lo demuestra antes</translation>
     </message>
     <message>
-        <source>put it back first, as 'motorbenchctl set %1 %2' does</source>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
         <translation>restablecerlo primero, como lo hace «motorbenchctl set %1 %2»</translation>
     </message>
     <message>
@@ -18624,7 +18624,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el ensayo %1 no restableció lo que cambió</translation>
     </message>
     <message>
-        <source>'%1' must not be empty</source>
+        <source>&apos;%1&apos; must not be empty</source>
         <translation>«%1» no debe estar vacío</translation>
     </message>
     <message>
@@ -18648,7 +18648,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>se omite 1 trama CAN FD, porque solo se lee CAN clásico</translation>
     </message>
     <message>
-        <source>a simulated board's socket has no option '%1'</source>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
         <translation>el socket de una placa simulada no tiene la opción «%1»</translation>
     </message>
     <message>
@@ -18664,7 +18664,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>se admiten 0 y 1</translation>
     </message>
     <message>
-        <source>link option '%1' is there twice</source>
+        <source>link option &apos;%1&apos; is there twice</source>
         <translation>la opción «%1» del enlace aparece dos veces</translation>
     </message>
     <message>
@@ -18688,7 +18688,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>apague y encienda su alimentación y repítalo: lo que se lea entonces viene de su flash</translation>
     </message>
     <message>
-        <source>take it out of the recipe's parameters, or serve such units by a recipe of their own</source>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
         <translation>quítelo de los parámetros de la receta o atienda esos equipos con una receta propia</translation>
     </message>
     <message>
@@ -18783,14 +18783,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>write an averaging of 1 … 500, then switch it off and on</source>
         <translation>escriba un promediado de 1 … 500, luego apáguelo y enciéndalo</translation>
     </message>
-<message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Su promediado se redujo, hasta donde se puede saber, y se guardó. Apáguelo y enciéndalo ahora: hasta entonces puede sobrescribir su memoria.</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>su promediado se redujo, hasta donde se puede saber, y mientras no haya perdido una vez la alimentación puede sobrescribir su propia memoria</translation>
-    </message>
     <message>
         <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
         <translation>Aún no se ha escrito nada. Si OpenOCD ya detuvo el accionamiento, está parado: apáguelo y enciéndalo</translation>
@@ -18811,7 +18803,7 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>wait until it is done</source>
         <translation>espere a que termine</translation>
     </message>
-<message>
+    <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
         <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; busque de nuevo</translation>
     </message>

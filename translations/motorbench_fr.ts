@@ -5,11 +5,11 @@
     <name>AnalysisText</name>
     <message>
         <source>%1: peak %2 at %3 Hz</source>
-        <translation>%1 : pic %2 à %3 Hz</translation>
+        <translation>%1&#xa0;: pic %2 à %3 Hz</translation>
     </message>
     <message>
         <source>%1: fewer than 16 samples connect</source>
-        <translation>%1 : moins de 16 échantillons contigus</translation>
+        <translation>%1&#xa0;: moins de 16 échantillons contigus</translation>
     </message>
     <message>
         <source>the longest stretch without a gap</source>
@@ -91,7 +91,7 @@
     </message>
     <message>
         <source>position 0 is here; the motor is off</source>
-        <translation>la position 0 est ici ; le moteur est coupé</translation>
+        <translation>la position 0 est ici&#x202f;; le moteur est coupé</translation>
     </message>
     <message>
         <source>Copy %1</source>
@@ -103,7 +103,7 @@
     </message>
     <message>
         <source>Name, 1 … 64 characters (some tools show only 28):</source>
-        <translation>Nom, 1 … 64 caractères (certains outils n’en montrent que 28) :</translation>
+        <translation>Nom, 1 … 64 caractères (certains outils n’en montrent que 28)&#xa0;:</translation>
     </message>
     <message>
         <source>renamed to %1</source>
@@ -115,11 +115,11 @@
     </message>
     <message>
         <source>New number, 1 … %1. %2 is the next free one on this link:</source>
-        <translation>Nouveau numéro, 1 … %1. %2 est le prochain libre sur cette liaison :</translation>
+        <translation>Nouveau numéro, 1 … %1. %2 est le prochain libre sur cette liaison&#xa0;:</translation>
     </message>
     <message>
         <source>number %1 is taken on this link; nothing was sent</source>
-        <translation>le numéro %1 est déjà pris sur cette liaison ; rien n’a été envoyé</translation>
+        <translation>le numéro %1 est déjà pris sur cette liaison&#x202f;; rien n’a été envoyé</translation>
     </message>
     <message>
         <source>answers as number %1 now</source>
@@ -127,7 +127,7 @@
     </message>
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
-        <translation>Impossible d’ouvrir %1 : l’adresse d’une liaison ne peut pas contenir de point d’interrogation. Renommez le fichier.</translation>
+        <translation>Impossible d’ouvrir %1&#xa0;: l’adresse d’une liaison ne peut pas contenir de point d’interrogation. Renommez le fichier.</translation>
     </message>
 </context>
 <context>
@@ -142,27 +142,27 @@
     </message>
     <message>
         <source>No answer: %1</source>
-        <translation>Pas de réponse : %1</translation>
+        <translation>Pas de réponse&#xa0;: %1</translation>
     </message>
     <message>
         <source>The device refused: %1</source>
-        <translation>Refusé par l’appareil : %1</translation>
+        <translation>Refusé par l’appareil&#xa0;: %1</translation>
     </message>
     <message>
         <source>Unexpected answer: %1</source>
-        <translation>Réponse inattendue : %1</translation>
+        <translation>Réponse inattendue&#xa0;: %1</translation>
     </message>
     <message>
         <source>Differs: %1</source>
-        <translation>Différence : %1</translation>
+        <translation>Différence&#xa0;: %1</translation>
     </message>
     <message>
         <source>Link lost: %1</source>
-        <translation>Liaison perdue : %1</translation>
+        <translation>Liaison perdue&#xa0;: %1</translation>
     </message>
     <message>
         <source>Not possible: %1</source>
-        <translation>Impossible : %1</translation>
+        <translation>Impossible&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -170,11 +170,11 @@
     </message>
     <message>
         <source>Not done: %1</source>
-        <translation>Non exécuté : %1</translation>
+        <translation>Non exécuté&#xa0;: %1</translation>
     </message>
     <message>
         <source>axis %1: %2</source>
-        <translation>axe %1 : %2</translation>
+        <translation>axe %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>off</source>
@@ -246,7 +246,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>on</source>
@@ -270,7 +270,7 @@
     </message>
     <message>
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
-        <translation>Il garde un mouvement arrêté avant d’avoir commencé, et le lancerait au prochain démarrage sur sa ligne. Un nouveau mouvement le remplace ; la mise hors tension l’efface.</translation>
+        <translation>Il garde un mouvement arrêté avant d’avoir commencé, et le lancerait au prochain démarrage sur sa ligne. Un nouveau mouvement le remplace&#x202f;; la mise hors tension l’efface.</translation>
     </message>
     <message>
         <source>%1 Mbit/s</source>
@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>Show the cursors first: L</source>
-        <translation>Afficher d’abord les curseurs : L</translation>
+        <translation>Afficher d’abord les curseurs&#xa0;: L</translation>
     </message>
     <message>
         <source>Signals</source>
@@ -408,7 +408,7 @@
     <name>FileText</name>
     <message>
         <source>family “%1”</source>
-        <translation>famille « %1 »</translation>
+        <translation>famille «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Parameter files (*.json)</source>
@@ -450,20 +450,20 @@
 <context>
     <name>FrameFilterParser</name>
     <message>
-        <source>')' has no '(' before it</source>
-        <translation>« ) » n’est précédé d’aucun « ( »</translation>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
+        <translation>«&#xa0;)&#xa0;» n’est précédé d’aucun «&#xa0;(&#xa0;»</translation>
     </message>
     <message>
-        <source>'%1' needs a term before it</source>
-        <translation>« %1 » doit être précédé d’un terme</translation>
+        <source>&apos;%1&apos; needs a term before it</source>
+        <translation>«&#xa0;%1&#xa0;» doit être précédé d’un terme</translation>
     </message>
     <message>
-        <source>a term is missing after '%1'</source>
-        <translation>il manque un terme après « %1 »</translation>
+        <source>a term is missing after &apos;%1&apos;</source>
+        <translation>il manque un terme après «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>'(' is not closed: a ')' is missing</source>
-        <translation>« ( » n’est pas fermé : il manque un « ) »</translation>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
+        <translation>«&#xa0;(&#xa0;» n’est pas fermé&#xa0;: il manque un «&#xa0;)&#xa0;»</translation>
     </message>
     <message>
         <source>more than %1 brackets and negations inside each other</source>
@@ -473,56 +473,56 @@
 <context>
     <name>FrameTermReader</name>
     <message>
-        <source>'%1': a comparison begins with field., such as field.%1</source>
-        <translation>« %1 » : une comparaison commence par field., par exemple field.%1</translation>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: une comparaison commence par field., par exemple field.%1</translation>
     </message>
     <message>
-        <source>'%1:' has nothing after the colon</source>
-        <translation>« %1: » n’est suivi de rien après le deux-points</translation>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
+        <translation>«&#xa0;%1:&#xa0;» n’est suivi de rien après le deux-points</translation>
     </message>
     <message>
-        <source>'%1:' is not known; id, family, message, device, dir, data, is and field. are</source>
-        <translation>« %1: » est inconnu ; connus : id, family, message, device, dir, data, is et field.</translation>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
+        <translation>«&#xa0;%1:&#xa0;» est inconnu&#x202f;; connus&#xa0;: id, family, message, device, dir, data, is et field.</translation>
     </message>
     <message>
-        <source>'%1:' is not known; '%2:' is</source>
-        <translation>« %1: » est inconnu ; connu : « %2: »</translation>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
+        <translation>«&#xa0;%1:&#xa0;» est inconnu&#x202f;; connu&#xa0;: «&#xa0;%2:&#xa0;»</translation>
     </message>
     <message>
-        <source>'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
-        <translation>« %1 » n’est pas un identifiant : hexadécimal, par exemple 0x2061405, 0x2061* ou 100..1FF</translation>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un identifiant&#xa0;: hexadécimal, par exemple 0x2061405, 0x2061* ou 100..1FF</translation>
     </message>
     <message>
-        <source>'%1' is no device number: such as 5, 5,7 or 1..9</source>
-        <translation>« %1 » n’est pas un numéro d’appareil : par exemple 5, 5,7 ou 1..9</translation>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un numéro d’appareil&#xa0;: par exemple 5, 5,7 ou 1..9</translation>
     </message>
     <message>
-        <source>'%1' are no bytes: hexadecimal such as A125*, without blanks</source>
-        <translation>« %1 » ne sont pas des octets : hexadécimal, par exemple A125*, sans espaces</translation>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
+        <translation>«&#xa0;%1&#xa0;» ne sont pas des octets&#xa0;: hexadécimal, par exemple A125*, sans espaces</translation>
     </message>
     <message>
-        <source>no family is called '%1'; there is %2</source>
-        <translation>aucune famille ne s’appelle « %1 » ; il y a %2</translation>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
+        <translation>aucune famille ne s’appelle «&#xa0;%1&#xa0;»&#x202f;; il y a %2</translation>
     </message>
     <message>
-        <source>'dir:%1' is not known; dir:rx and dir:tx are</source>
-        <translation>« dir:%1 » est inconnu ; connus : dir:rx et dir:tx</translation>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
+        <translation>«&#xa0;dir:%1&#xa0;» est inconnu&#x202f;; connus&#xa0;: dir:rx et dir:tx</translation>
     </message>
     <message>
-        <source>'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
-        <translation>« is:%1 » est inconnu ; connus : tx, rx, extended, standard, remote, error, unknown, known et control</translation>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <translation>«&#xa0;is:%1&#xa0;» est inconnu&#x202f;; connus&#xa0;: tx, rx, extended, standard, remote, error, unknown, known et control</translation>
     </message>
     <message>
-        <source>'field.' needs the name of a field, such as field.trgt&gt;100</source>
-        <translation>« field. » demande le nom d’un champ, par exemple field.trgt&gt;100</translation>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
+        <translation>«&#xa0;field.&#xa0;» demande le nom d’un champ, par exemple field.trgt&gt;100</translation>
     </message>
     <message>
-        <source>'field.%1%2' needs a number behind it</source>
-        <translation>« field.%1%2 » doit être suivi d’un nombre</translation>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
+        <translation>«&#xa0;field.%1%2&#xa0;» doit être suivi d’un nombre</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
-        <translation>« %1 » n’est pas un nombre</translation>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>identifier, hexadecimal</source>
@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>a field by its name: its number, % of full scale, or that there is one</source>
-        <translation>un champ par son nom : son nombre, % de la pleine échelle, ou sa présence</translation>
+        <translation>un champ par son nom&#xa0;: son nombre, % de la pleine échelle, ou sa présence</translation>
     </message>
     <message>
         <source>bytes, hexadecimal</source>
@@ -542,11 +542,11 @@
     </message>
     <message>
         <source>direction; error, remote, extended, standard, unknown, known; makes a motor move</source>
-        <translation>sens ; error, remote, extended, standard, unknown, known ; met un moteur en mouvement</translation>
+        <translation>sens&#x202f;; error, remote, extended, standard, unknown, known&#x202f;; met un moteur en mouvement</translation>
     </message>
     <message>
         <source>a bare word: part of a message, family or identifier</source>
-        <translation>un mot seul : partie d’un message, d’une famille ou d’un identifiant</translation>
+        <translation>un mot seul&#xa0;: partie d’un message, d’une famille ou d’un identifiant</translation>
     </message>
     <message>
         <source>terms beside each other must all hold</source>
@@ -666,7 +666,7 @@
     </message>
     <message>
         <source>Hardware: %1</source>
-        <translation>Matériel : %1</translation>
+        <translation>Matériel&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -741,7 +741,7 @@
     </message>
     <message>
         <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
+        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
     </message>
     <message>
         <source>Simulated CAN bus</source>
@@ -804,7 +804,7 @@
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>live, %1</source>
@@ -895,7 +895,7 @@
     </message>
     <message>
         <source>Last %1: %2</source>
-        <translation>Dernières %1 : %2</translation>
+        <translation>Dernières %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -990,11 +990,11 @@
     </message>
     <message>
         <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 garde sa dernière consigne indéfiniment : il n’a pas de chien de garde. Pilotez-le depuis la page Réglage.</translation>
+        <translation>%1 garde sa dernière consigne indéfiniment&#xa0;: il n’a pas de chien de garde. Pilotez-le depuis la page Réglage.</translation>
     </message>
     <message>
         <source>%1 is busy: %2</source>
-        <translation>%1 est occupé : %2</translation>
+        <translation>%1 est occupé&#xa0;: %2</translation>
     </message>
     <message>
         <source>This window drives %1 already. Halt it first.</source>
@@ -1005,8 +1005,8 @@
         <translation>%1 n’est pas armé. Sélectionnez-le, puis maintenez Armer dans l’en-tête.</translation>
     </message>
     <message>
-        <source>'%1' is no frame such as 02061405#8125</source>
-        <translation>« %1 » n’est pas une trame telle que 02061405#8125</translation>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une trame telle que 02061405#8125</translation>
     </message>
     <message>
         <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
@@ -1014,11 +1014,11 @@
     </message>
     <message>
         <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 dépasse 29 bits : 1FFFFFFF au plus</translation>
+        <translation>%1 dépasse 29 bits&#xa0;: 1FFFFFFF au plus</translation>
     </message>
     <message>
         <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 dépasse 11 bits : choisissez 29 bits</translation>
+        <translation>%1 dépasse 11 bits&#xa0;: choisissez 29 bits</translation>
     </message>
     <message>
         <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
@@ -1026,7 +1026,7 @@
     </message>
     <message>
         <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 octets : une trame en a 8 au plus</translation>
+        <translation>%1 octets&#xa0;: une trame en a 8 au plus</translation>
     </message>
     <message>
         <source>no decoder knows this identifier</source>
@@ -1045,7 +1045,7 @@
     <name>SignalText</name>
     <message>
         <source>small</source>
-        <extracomment>Translate as "capital" where a noun has a capital letter in the middle of a line too.</extracomment>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>small</translation>
     </message>
 </context>
@@ -1100,7 +1100,7 @@
     </message>
     <message>
         <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>Dans la page Paramètres, activez la limite de courant (cherchez : current_limit), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
+        <translation>Dans la page Paramètres, activez la limite de courant (cherchez&#xa0;: current_limit), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
     </message>
     <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
@@ -1112,7 +1112,7 @@
     </message>
     <message>
         <source>%1 overshoots: tame it in a minute</source>
-        <translation>%1 dépasse : domptez-le en une minute</translation>
+        <translation>%1 dépasse&#xa0;: domptez-le en une minute</translation>
     </message>
     <message>
         <source>775pro</source>
@@ -1132,7 +1132,7 @@
     </message>
     <message>
         <source>%1 has no current limit: set one that saves it</source>
-        <translation>%1 n’a pas de limite de courant : fixez-en une qui le protège</translation>
+        <translation>%1 n’a pas de limite de courant&#xa0;: fixez-en une qui le protège</translation>
     </message>
     <message>
         <source>CIM</source>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation>« %1 » n’est pas un nombre.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre.</translation>
     </message>
     <message>
         <source>on</source>
@@ -1564,58 +1564,58 @@
     </message>
     <message>
         <source>Stages these values; nothing is written yet.</source>
-        <translation>Met ces valeurs en attente ; rien n’est encore écrit.</translation>
+        <translation>Met ces valeurs en attente&#x202f;; rien n’est encore écrit.</translation>
     </message>
 </context>
 <context>
     <name>mb::AdviceText</name>
     <message>
         <source>F·K is %1 with I active: the initial lag is paid back as overshoot.</source>
-        <translation>F·K vaut %1 avec I actif : le retard initial se paie en dépassement.</translation>
+        <translation>F·K vaut %1 avec I actif&#xa0;: le retard initial se paie en dépassement.</translation>
     </message>
     <message>
         <source>It stops %1 counts short: P alone does not overcome friction there.</source>
-        <translation>Il s’arrête %1 incréments avant : P seul n’y vainc pas le frottement.</translation>
+        <translation>Il s’arrête %1 incréments avant&#xa0;: P seul n’y vainc pas le frottement.</translation>
     </message>
     <message>
         <source>A gain has only %1 steps of its integer; it cannot be set finely.</source>
-        <translation>Un gain n’a que %1 pas de son entier ; il ne peut pas être réglé finement.</translation>
+        <translation>Un gain n’a que %1 pas de son entier&#x202f;; il ne peut pas être réglé finement.</translation>
     </message>
     <message>
         <source>One count of the sensor moves the duty by %1 % through D; 10 % is the most that is quiet.</source>
-        <translation>Un incrément du capteur fait varier le rapport cyclique de %1 % via D ; au-delà de 10 %, ce n’est plus calme.</translation>
+        <translation>Un incrément du capteur fait varier le rapport cyclique de %1 % via D&#x202f;; au-delà de 10 %, ce n’est plus calme.</translation>
     </message>
     <message>
-        <source>The drive's ramp takes %1 to full duty, which is slower than this loop.</source>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
         <translation>La rampe du variateur met %1 pour atteindre la pleine commande, plus lente que cette boucle.</translation>
     </message>
     <message>
         <source>The duty was at its limit for %1: the loop cannot go faster there.</source>
-        <translation>Le rapport cyclique est resté en limite pendant %1 : la boucle ne peut pas y aller plus vite.</translation>
+        <translation>Le rapport cyclique est resté en limite pendant %1&#xa0;: la boucle ne peut pas y aller plus vite.</translation>
     </message>
     <message>
         <source>The duty was at its limit for %1 while I went on; that is paid back as overshoot.</source>
-        <translation>Le rapport cyclique est resté en limite pendant %1 alors que I continuait ; cela se paie en dépassement.</translation>
+        <translation>Le rapport cyclique est resté en limite pendant %1 alors que I continuait&#x202f;; cela se paie en dépassement.</translation>
     </message>
     <message>
         <source>The measured velocity is %1 late; the gains are too lively for that.</source>
-        <translation>La vitesse mesurée a %1 de retard ; les gains sont trop vifs pour cela.</translation>
+        <translation>La vitesse mesurée a %1 de retard&#x202f;; les gains sont trop vifs pour cela.</translation>
     </message>
     <message>
         <source>The velocity comes anew every %1 only; a loop cannot be quicker than that.</source>
-        <translation>La vitesse n’est renouvelée que tous les %1 ; une boucle ne peut pas être plus rapide.</translation>
+        <translation>La vitesse n’est renouvelée que tous les %1&#x202f;; une boucle ne peut pas être plus rapide.</translation>
     </message>
     <message>
         <source>It moved late, at %1 % duty: friction holds it until then.</source>
-        <translation>Il a bougé tard, à %1 % de rapport cyclique : le frottement le retient jusque-là.</translation>
+        <translation>Il a bougé tard, à %1 % de rapport cyclique&#xa0;: le frottement le retient jusque-là.</translation>
     </message>
     <message>
         <source>It takes %1 % duty to stay in place: a load pulls one way.</source>
-        <translation>Il lui faut %1 % de rapport cyclique pour rester en place : une charge tire dans un sens.</translation>
+        <translation>Il lui faut %1 % de rapport cyclique pour rester en place&#xa0;: une charge tire dans un sens.</translation>
     </message>
     <message>
         <source>It swings by %1 counts without end: play between motor and load.</source>
-        <translation>Il oscille sans fin de %1 incréments : jeu entre moteur et charge.</translation>
+        <translation>Il oscille sans fin de %1 incréments&#xa0;: jeu entre moteur et charge.</translation>
     </message>
     <message>
         <source>Stage %1</source>
@@ -1677,7 +1677,7 @@
         <translation>C’est plus de 2 % de l’échelon.</translation>
     </message>
     <message>
-        <source>The drive's least output helps.</source>
+        <source>The drive&apos;s least output helps.</source>
         <translation>La sortie minimale du variateur aide.</translation>
     </message>
     <message>
@@ -1693,11 +1693,11 @@
         <translation>Ce variateur n’a pas de rampe propre.</translation>
     </message>
     <message>
-        <source>The drive's ramp was not read yet.</source>
+        <source>The drive&apos;s ramp was not read yet.</source>
         <translation>La rampe du variateur n’a pas encore été lue.</translation>
     </message>
     <message>
-        <source>The drive's ramp is off.</source>
+        <source>The drive&apos;s ramp is off.</source>
         <translation>La rampe du variateur est désactivée.</translation>
     </message>
     <message>
@@ -1754,7 +1754,7 @@
     </message>
     <message>
         <source>Stages these values; nothing is written yet.</source>
-        <translation>Met ces valeurs en attente ; rien n’est encore écrit.</translation>
+        <translation>Met ces valeurs en attente&#x202f;; rien n’est encore écrit.</translation>
     </message>
     <message>
         <source>Stage</source>
@@ -1821,18 +1821,18 @@
     </message>
     <message>
         <source>A … B: </source>
-        <translation>A … B : </translation>
+        <translation>A … B&#xa0;: </translation>
     </message>
     <message>
         <source>what is seen: </source>
-        <translation>partie visible : </translation>
+        <translation>partie visible&#xa0;: </translation>
     </message>
 </context>
 <context>
     <name>mb::Arming</name>
     <message>
         <source>%1: cut its power</source>
-        <translation>%1 : couper l’alimentation</translation>
+        <translation>%1&#xa0;: couper l’alimentation</translation>
     </message>
     <message>
         <source>experiment</source>
@@ -1868,7 +1868,7 @@
     </message>
     <message>
         <source>not armed: %1</source>
-        <translation>non armé : %1</translation>
+        <translation>non armé&#xa0;: %1</translation>
     </message>
     <message>
         <source>armed</source>
@@ -1881,11 +1881,11 @@
     </message>
     <message>
         <source>STOP: %1</source>
-        <translation>STOP : %1</translation>
+        <translation>STOP&#xa0;: %1</translation>
     </message>
     <message>
         <source>STOP: %1; not sent to %2</source>
-        <translation>STOP : %1 ; non envoyé à %2</translation>
+        <translation>STOP&#xa0;: %1&#x202f;; non envoyé à %2</translation>
     </message>
     <message>
         <source>this window did not respond for %1 s</source>
@@ -1907,9 +1907,9 @@
         <source>an experiment on it has not ended</source>
         <translation>un essai avec lui n’est pas encore terminé</translation>
     </message>
-<message>
+    <message>
         <source>the computer slept</source>
-        <translation>l'ordinateur était en veille</translation>
+        <translation>l&apos;ordinateur était en veille</translation>
     </message>
 </context>
 <context>
@@ -1944,11 +1944,11 @@
     </message>
     <message>
         <source>Mode and set-point of this axis for every ticked one; a position becomes the same distance.</source>
-        <translation>Mode et consigne de cet axe pour tous ceux qui sont cochés ; une position devient la même distance.</translation>
+        <translation>Mode et consigne de cet axe pour tous ceux qui sont cochés&#x202f;; une position devient la même distance.</translation>
     </message>
     <message>
         <source>Shows this axis: its mode, set-point, gains, limits and traces</source>
-        <translation>Affiche cet axe : son mode, sa consigne, ses gains, ses limites et ses courbes</translation>
+        <translation>Affiche cet axe&#xa0;: son mode, sa consigne, ses gains, ses limites et ses courbes</translation>
     </message>
     <message>
         <source>Axis %1 runs together with the others</source>
@@ -1998,7 +1998,7 @@
     </message>
     <message>
         <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
-        <translation>Met en attente pour cet axe les gains et limites d’un autre ; Écrire les envoie.</translation>
+        <translation>Met en attente pour cet axe les gains et limites d’un autre&#x202f;; Écrire les envoie.</translation>
     </message>
     <message>
         <source>Gains and limits of axis %1</source>
@@ -2069,23 +2069,23 @@
     </message>
     <message>
         <source>%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps inside the limits of the page.</source>
-        <translation>%1 échelons, alternativement dans les deux sens, de %2 à %3 %4, avec les gains en vigueur. Le moteur tourne ; chaque échelon reste dans les limites de la page.</translation>
+        <translation>%1 échelons, alternativement dans les deux sens, de %2 à %3 %4, avec les gains en vigueur. Le moteur tourne&#x202f;; chaque échelon reste dans les limites de la page.</translation>
     </message>
     <message>
         <source>Step %1 of %2: to %3 %4. STOP ends it.</source>
-        <translation>Échelon %1 sur %2 : vers %3 %4. STOP y met fin.</translation>
+        <translation>Échelon %1 sur %2&#xa0;: vers %3 %4. STOP y met fin.</translation>
     </message>
     <message>
         <source>Ended: %1</source>
-        <translation>Terminé : %1</translation>
+        <translation>Terminé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Ended by: %1</source>
-        <translation>Terminé par : %1</translation>
+        <translation>Terminé par&#xa0;: %1</translation>
     </message>
     <message>
         <source>Done: %1 trials in the notebook.</source>
-        <translation>Terminé : %1 essais dans le carnet.</translation>
+        <translation>Terminé&#xa0;: %1 essais dans le carnet.</translation>
     </message>
     <message>
         <source>Ended before all steps were run.</source>
@@ -2101,7 +2101,7 @@
     </message>
     <message>
         <source>Arm the device first: hold the Arm button for 1 s.</source>
-        <translation>Armez d’abord l’appareil : maintenez le bouton Armer pendant 1 s.</translation>
+        <translation>Armez d’abord l’appareil&#xa0;: maintenez le bouton Armer pendant 1 s.</translation>
     </message>
     <message>
         <source>Responses over each other</source>
@@ -2117,7 +2117,7 @@
     </message>
     <message>
         <source>Not run: %1</source>
-        <translation>Non exécuté : %1</translation>
+        <translation>Non exécuté&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -2369,7 +2369,7 @@
     </message>
     <message>
         <source>Holds the frames still; everything is counted and kept meanwhile</source>
-        <translation>Fige les trames ; tout reste compté et conservé entre-temps</translation>
+        <translation>Fige les trames&#x202f;; tout reste compté et conservé entre-temps</translation>
     </message>
     <message>
         <source>Clear the list</source>
@@ -2405,7 +2405,7 @@
     </message>
     <message>
         <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>Filtrer masque ce qui ne correspond pas ; Rechercher marque ce qui correspond, F3 passe au suivant</translation>
+        <translation>Filtrer masque ce qui ne correspond pas&#x202f;; Rechercher marque ce qui correspond, F3 passe au suivant</translation>
     </message>
     <message>
         <source>such as message:STS* device:5 not is:error</source>
@@ -2511,7 +2511,7 @@
     </message>
     <message>
         <source>Open a link, or the simulated bench from the menu; what passes on it appears here.</source>
-        <translation>Ouvrez une liaison, ou le banc simulé depuis le menu ; ce qui y passe apparaît ici.</translation>
+        <translation>Ouvrez une liaison, ou le banc simulé depuis le menu&#x202f;; ce qui y passe apparaît ici.</translation>
     </message>
     <message>
         <source>%1 is not open</source>
@@ -2583,7 +2583,7 @@
     </message>
     <message>
         <source>Write %1: %2 to %3</source>
-        <translation>Écrire %1 : %2 à %3</translation>
+        <translation>Écrire %1&#xa0;: %2 à %3</translation>
     </message>
     <message>
         <source>later</source>
@@ -2610,7 +2610,7 @@
     </message>
     <message>
         <source>Limits first, then what makes the loop calmer, then what makes it livelier: damping before P, P before I.</source>
-        <translation>D’abord les limites, puis ce qui calme la boucle, puis ce qui la rend plus vive : amortissement avant P, P avant I.</translation>
+        <translation>D’abord les limites, puis ce qui calme la boucle, puis ce qui la rend plus vive&#xa0;: amortissement avant P, P avant I.</translation>
     </message>
     <message>
         <source>Staged changes</source>
@@ -2638,11 +2638,11 @@
     </message>
     <message>
         <source>Each value is written. None can be read back: what stands here then is assumed.</source>
-        <translation>Chaque valeur est écrite. Aucune ne peut être relue : ce qui figure alors ici est supposé.</translation>
+        <translation>Chaque valeur est écrite. Aucune ne peut être relue&#xa0;: ce qui figure alors ici est supposé.</translation>
     </message>
     <message>
         <source>Each value is written. %1 of %2 cannot be read back: they are assumed then; the others are compared.</source>
-        <translation>Chaque valeur est écrite. %1 sur %2 ne peuvent pas être relues et sont alors supposées ; les autres sont comparées.</translation>
+        <translation>Chaque valeur est écrite. %1 sur %2 ne peuvent pas être relues et sont alors supposées&#x202f;; les autres sont comparées.</translation>
     </message>
     <message>
         <source>nothing is staged</source>
@@ -2682,7 +2682,7 @@
     </message>
     <message>
         <source>The drive stores by itself %1 s after the last change: keep power on.</source>
-        <translation>L’appareil mémorise de lui-même %1 s après la dernière modification : laissez-le sous tension.</translation>
+        <translation>L’appareil mémorise de lui-même %1 s après la dernière modification&#xa0;: laissez-le sous tension.</translation>
     </message>
     <message>
         <source>Write %1</source>
@@ -2705,11 +2705,11 @@
     </message>
     <message>
         <source>Firmware is being written to %1. Cancel the update?</source>
-        <translation>Écriture du firmware dans %1 en cours. Annuler la mise à jour ?</translation>
+        <translation>Écriture du firmware dans %1 en cours. Annuler la mise à jour&#x202f;?</translation>
     </message>
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
-        <translation>L’écriture en cours ne doit pas être interrompue : la fenêtre se fermera dès qu’elle sera finie.</translation>
+        <translation>L’écriture en cours ne doit pas être interrompue&#xa0;: la fenêtre se fermera dès qu’elle sera finie.</translation>
     </message>
     <message>
         <source>The unit then waits in its bootloader, and the update can be run again.</source>
@@ -2721,7 +2721,7 @@
     </message>
     <message>
         <source>%1 has not been seen to stop. Close anyway?</source>
-        <translation>L’arrêt de %1 n’a pas été constaté. Fermer quand même ?</translation>
+        <translation>L’arrêt de %1 n’a pas été constaté. Fermer quand même&#x202f;?</translation>
     </message>
     <message>
         <source>It was told to stop. Without this window nobody sees whether it does.</source>
@@ -2733,7 +2733,7 @@
     </message>
     <message>
         <source>Units are being served. Cancel the queue?</source>
-        <translation>Des appareils sont en cours de traitement. Annuler la file ?</translation>
+        <translation>Des appareils sont en cours de traitement. Annuler la file&#xa0;?</translation>
     </message>
     <message>
         <source>The journal knows where it stood, and the queue can be gone on with.</source>
@@ -2765,7 +2765,7 @@
     <message>
         <source>%1: %2</source>
         <comment>page: command</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>No command begins so</source>
@@ -2818,7 +2818,7 @@
     <name>mb::Conditions</name>
     <message>
         <source>%1 may still turn: cut its power</source>
-        <translation>%1 tourne peut-être encore : coupez son alimentation</translation>
+        <translation>%1 tourne peut-être encore&#xa0;: coupez son alimentation</translation>
     </message>
     <message>
         <source>Its stop was not confirmed. It is sent again, and first of all when its line is back.</source>
@@ -2826,11 +2826,11 @@
     </message>
     <message>
         <source>I have looked: it stands</source>
-        <translation>J’ai vérifié : il est à l’arrêt</translation>
+        <translation>J’ai vérifié&#xa0;: il est à l’arrêt</translation>
     </message>
     <message>
         <source>Stopped: %1</source>
-        <translation>Arrêté : %1</translation>
+        <translation>Arrêté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Hold the Arm button for 1 s to arm again.</source>
@@ -2866,7 +2866,7 @@
     </message>
     <message>
         <source>Writing the settings of %1 again: %2 of %3</source>
-        <translation>Réécriture des réglages de %1 : %2 sur %3</translation>
+        <translation>Réécriture des réglages de %1&#xa0;: %2 sur %3</translation>
     </message>
     <message>
         <source>Each is confirmed by the board.</source>
@@ -2878,11 +2878,11 @@
     </message>
     <message>
         <source>%1 was reset: 1 setting is unknown</source>
-        <translation>%1 a redémarré : 1 réglage est inconnu</translation>
+        <translation>%1 a redémarré&#xa0;: 1 réglage est inconnu</translation>
     </message>
     <message>
         <source>%1 was reset: %2 settings are unknown</source>
-        <translation>%1 a redémarré : %2 réglages sont inconnus</translation>
+        <translation>%1 a redémarré&#xa0;: %2 réglages sont inconnus</translation>
     </message>
     <message>
         <source>The board keeps nothing without power. This program knows what was last written.</source>
@@ -2898,7 +2898,7 @@
     </message>
     <message>
         <source>Before it: %1. The motor must stand.</source>
-        <translation>Avant : %1. Le moteur doit être à l’arrêt.</translation>
+        <translation>Avant&#xa0;: %1. Le moteur doit être à l’arrêt.</translation>
     </message>
     <message>
         <source>Put them back</source>
@@ -2906,15 +2906,15 @@
     </message>
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
-        <translation>Écriture annulée ; ce qui manque pourra être écrit plus tard.</translation>
+        <translation>Écriture annulée&#x202f;; ce qui manque pourra être écrit plus tard.</translation>
     </message>
     <message>
         <source>%1 may have been reset: 1 setting is unknown</source>
-        <translation>%1 a peut-être redémarré : 1 réglage est inconnu</translation>
+        <translation>%1 a peut-être redémarré&#xa0;: 1 réglage est inconnu</translation>
     </message>
     <message>
         <source>%1 may have been reset: %2 settings are unknown</source>
-        <translation>%1 a peut-être redémarré : %2 réglages sont inconnus</translation>
+        <translation>%1 a peut-être redémarré&#xa0;: %2 réglages sont inconnus</translation>
     </message>
     <message>
         <source>Nothing shows that it still has what was not saved. This program knows what was last written.</source>
@@ -3090,7 +3090,7 @@
     <name>mb::DesignPage</name>
     <message>
         <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées : %1</translation>
+        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
     </message>
     <message>
         <source>writes the chosen set and proves it</source>
@@ -3114,7 +3114,7 @@
     </message>
     <message>
         <source>STOP ends it; what was changed is put back.</source>
-        <translation>STOP y met fin ; ce qui a été modifié est rétabli.</translation>
+        <translation>STOP y met fin&#x202f;; ce qui a été modifié est rétabli.</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -3303,14 +3303,14 @@
     <message>
         <source>%1 of %2: %3, now %4
 Its pages show this axis; drag it to a plot.</source>
-        <translation>%1 sur %2 : %3, maintenant %4
-Ses pages montrent cet axe ; faites-le glisser sur un graphique.</translation>
+        <translation>%1 sur %2&#xa0;: %3, maintenant %4
+Ses pages montrent cet axe&#x202f;; faites-le glisser sur un graphique.</translation>
     </message>
     <message>
         <source>%1
 Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1
-Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</translation>
+Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</translation>
     </message>
 </context>
 <context>
@@ -3361,7 +3361,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Open the simulated bench; no real motor is connected to it</source>
-        <translation>Ouvrir le banc simulé ; aucun moteur réel n’y est raccordé</translation>
+        <translation>Ouvrir le banc simulé&#x202f;; aucun moteur réel n’y est raccordé</translation>
     </message>
     <message>
         <source>Show 1 new device</source>
@@ -3424,7 +3424,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>assumed: it cannot be read</source>
-        <translation>supposé : lecture impossible</translation>
+        <translation>supposé&#xa0;: lecture impossible</translation>
     </message>
     <message>
         <source>state</source>
@@ -3463,7 +3463,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Paste it into a terminal; this program never runs as root</source>
-        <translation>Collez-la dans un terminal ; ce programme ne s’exécute jamais en root</translation>
+        <translation>Collez-la dans un terminal&#x202f;; ce programme ne s’exécute jamais en root</translation>
     </message>
     <message>
         <source>Reconnect</source>
@@ -3475,7 +3475,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>The command is in the clipboard; paste it into a terminal.</source>
-        <translation>La commande est dans le presse-papiers ; collez-la dans un terminal.</translation>
+        <translation>La commande est dans le presse-papiers&#x202f;; collez-la dans un terminal.</translation>
     </message>
 </context>
 <context>
@@ -3521,7 +3521,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
         <translation>Ignorer les limites</translation>
     </message>
     <message>
-        <source>The two below replace the device's own settings for limit switches. Changing it disarms.</source>
+        <source>The two below replace the device&apos;s own settings for limit switches. Changing it disarms.</source>
         <translation>Les deux options ci-dessous remplacent les réglages de fins de course de l’appareil. Le modifier désarme.</translation>
     </message>
     <message>
@@ -3546,7 +3546,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Variation maximale de la sortie en rapport cyclique par seconde, respectée par le variateur. 0 : immédiat ; 2 : 0,5 s de 0 à 100 %.</translation>
+        <translation>Variation maximale de la sortie en rapport cyclique par seconde, respectée par le variateur. 0&#xa0;: immédiat&#x202f;; 2&#xa0;: 0,5 s de 0 à 100 %.</translation>
     </message>
     <message>
         <source>duty/s, 0 = none</source>
@@ -3605,7 +3605,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1 %2: %3</source>
-        <translation>%1 %2 : %3</translation>
+        <translation>%1 %2&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -3632,11 +3632,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Envelope: %1</source>
-        <translation>Enveloppe : %1</translation>
+        <translation>Enveloppe&#xa0;: %1</translation>
     </message>
     <message>
         <source>Empty: what the device itself says</source>
-        <translation>Vide : ce que dit l’appareil lui-même</translation>
+        <translation>Vide&#xa0;: ce que dit l’appareil lui-même</translation>
     </message>
     <message>
         <source>%1 holds</source>
@@ -3648,7 +3648,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1: %2 is no limit. It is more than 0, and at most %3.</source>
-        <translation>%1 : %2 n’est pas une limite. Elle est supérieure à 0 et d’au plus %3.</translation>
+        <translation>%1&#xa0;: %2 n’est pas une limite. Elle est supérieure à 0 et d’au plus %3.</translation>
     </message>
 </context>
 <context>
@@ -3719,7 +3719,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Cancelled. The motor is stopped; gains and limits are as they were.</source>
-        <translation>Annulé. Le moteur est arrêté ; gains et limites sont inchangés.</translation>
+        <translation>Annulé. Le moteur est arrêté&#x202f;; gains et limites sont inchangés.</translation>
     </message>
 </context>
 <context>
@@ -3738,11 +3738,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>This mode has no loop that can be tried; Live drives it.</source>
-        <translation>Ce mode n’a pas de boucle à essayer ; « Direct » le pilote.</translation>
+        <translation>Ce mode n’a pas de boucle à essayer&#x202f;; «&#xa0;Direct&#xa0;» le pilote.</translation>
     </message>
     <message>
         <source>Nothing bounds the motor: enter travel, duty, and what else is empty here.</source>
-        <translation>Rien ne borne le moteur : saisissez la course, le rapport cyclique et ce qui est encore vide ici.</translation>
+        <translation>Rien ne borne le moteur&#xa0;: saisissez la course, le rapport cyclique et ce qui est encore vide ici.</translation>
     </message>
     <message>
         <source>Enter where the loop is to go.</source>
@@ -3750,7 +3750,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>It is there already; enter another place to go to.</source>
-        <translation>Il y est déjà ; saisissez une autre destination.</translation>
+        <translation>Il y est déjà&#x202f;; saisissez une autre destination.</translation>
     </message>
 </context>
 <context>
@@ -3769,7 +3769,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>One export at a time: %1 is being written.</source>
-        <translation>Un seul export à la fois : %1 est en cours d’écriture.</translation>
+        <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
     </message>
     <message>
         <source>writing %1</source>
@@ -3777,7 +3777,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1 written: %2 samples, %3 lost</source>
-        <translation>%1 écrit : %2 échantillons, %3 perdus</translation>
+        <translation>%1 écrit&#xa0;: %2 échantillons, %3 perdus</translation>
     </message>
     <message>
         <source>export cancelled, nothing was written</source>
@@ -3788,7 +3788,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::FaultLine</name>
     <message>
         <source>Is that meant?</source>
-        <translation>Est-ce voulu ?</translation>
+        <translation>Est-ce voulu&#x202f;?</translation>
     </message>
     <message>
         <source>Use %1</source>
@@ -3796,7 +3796,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Revert to %1</source>
@@ -3823,15 +3823,15 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Nothing is written yet: look through the list, then write.</source>
-        <translation>Rien n’est encore écrit : parcourez la liste, puis écrivez.</translation>
+        <translation>Rien n’est encore écrit&#xa0;: parcourez la liste, puis écrivez.</translation>
     </message>
     <message>
         <source>Left out: %1, for one: %2.</source>
-        <translation>Omis : %1, par exemple : %2.</translation>
+        <translation>Omis&#xa0;: %1, par exemple&#xa0;: %2.</translation>
     </message>
     <message>
         <source>Staged from %1: %2 of its values differ.</source>
-        <translation>Mis en attente depuis %1 : %2 de ses valeurs diffèrent.</translation>
+        <translation>Mis en attente depuis %1&#xa0;: %2 de ses valeurs diffèrent.</translation>
     </message>
     <message>
         <source>Undo the import</source>
@@ -4129,11 +4129,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>No loop runs in %1 mode: only the limits of the axis act.</source>
-        <translation>Aucune boucle en mode %1 : seules les limites de l’axe agissent.</translation>
+        <translation>Aucune boucle en mode %1&#xa0;: seules les limites de l’axe agissent.</translation>
     </message>
     <message>
         <source>No loop runs in %1 mode: these gains act in velocity, position and current.</source>
-        <translation>Aucune boucle en mode %1 : ces gains agissent en vitesse, position et courant.</translation>
+        <translation>Aucune boucle en mode %1&#xa0;: ces gains agissent en vitesse, position et courant.</translation>
     </message>
     <message>
         <source>off</source>
@@ -4141,7 +4141,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4190,19 +4190,19 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::GroupMotion</name>
     <message>
         <source>not prepared: hold the Arm button first</source>
-        <translation>non préparé : maintenez d’abord le bouton Armer</translation>
+        <translation>non préparé&#xa0;: maintenez d’abord le bouton Armer</translation>
     </message>
     <message>
         <source>not prepared: the selected device has to take part</source>
-        <translation>non préparé : l’appareil sélectionné doit participer</translation>
+        <translation>non préparé&#xa0;: l’appareil sélectionné doit participer</translation>
     </message>
     <message>
         <source>not started: not every device has acknowledged its move; prepare them again</source>
-        <translation>non démarré : tous les appareils n’ont pas acquitté leur mouvement ; préparez-les à nouveau</translation>
+        <translation>non démarré&#xa0;: tous les appareils n’ont pas acquitté leur mouvement&#x202f;; préparez-les à nouveau</translation>
     </message>
     <message>
         <source>stopped, and the others of its group with it: %1</source>
-        <translation>arrêté, et les autres de son groupe avec lui : %1</translation>
+        <translation>arrêté, et les autres de son groupe avec lui&#xa0;: %1</translation>
     </message>
     <message>
         <source>it is gone</source>
@@ -4287,7 +4287,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Simulated: nothing real moves. A guide says each step and waits until it has happened.</source>
-        <translation>Simulé : rien de réel ne bouge. Un guide indique chaque étape et attend qu’elle soit faite.</translation>
+        <translation>Simulé&#xa0;: rien de réel ne bouge. Un guide indique chaque étape et attend qu’elle soit faite.</translation>
     </message>
     <message>
         <source>%1 done</source>
@@ -4303,11 +4303,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>The simulated bench is opened; the unit answers in a moment.</source>
-        <translation>Ouverture du banc simulé ; l’appareil va répondre.</translation>
+        <translation>Ouverture du banc simulé&#x202f;; l’appareil va répondre.</translation>
     </message>
     <message>
         <source>Measured: %1.</source>
-        <translation>Mesuré : %1.</translation>
+        <translation>Mesuré&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -4416,7 +4416,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1 ticked; a snapshot of what is there is taken first.</source>
-        <translation>%1 cochés ; un instantané de l’existant est pris d’abord.</translation>
+        <translation>%1 cochés&#x202f;; un instantané de l’existant est pris d’abord.</translation>
     </message>
     <message>
         <source>Choose what the device has now as A to write values of B.</source>
@@ -4436,7 +4436,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Click sets B, Shift+click sets A.</source>
-        <translation>Clic : B, Maj+clic : A.</translation>
+        <translation>Clic&#xa0;: B, Maj+clic&#xa0;: A.</translation>
     </message>
     <message>
         <source>Exchange A and B</source>
@@ -4475,7 +4475,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Right click: choose the field</source>
-        <translation>Clic droit : choisir le champ</translation>
+        <translation>Clic droit&#xa0;: choisir le champ</translation>
     </message>
     <message>
         <source>Standard deviation of the last 32 periods</source>
@@ -4483,7 +4483,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>The last frame; bytes that changed within 0.7 s are marked</source>
-        <translation>La dernière trame ; les octets modifiés depuis moins de 0,7 s sont marqués</translation>
+        <translation>La dernière trame&#x202f;; les octets modifiés depuis moins de 0,7 s sont marqués</translation>
     </message>
     <message>
         <source>id</source>
@@ -4542,7 +4542,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>version %1 · pages: %2</source>
-        <translation>version %1 · pages : %2</translation>
+        <translation>version %1 · pages&#xa0;: %2</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -4688,7 +4688,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
-        <translation>Un clic le déplace pendant un dixième de seconde ; maintenu, il continue jusqu’au relâchement.</translation>
+        <translation>Un clic le déplace pendant un dixième de seconde&#x202f;; maintenu, il continue jusqu’au relâchement.</translation>
     </message>
 </context>
 <context>
@@ -4736,7 +4736,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::KeepBar</name>
     <message>
         <source>left over from before: nothing goes back by itself</source>
-        <translation>reste d’avant : rien n’est rétabli automatiquement</translation>
+        <translation>reste d’avant&#xa0;: rien n’est rétabli automatiquement</translation>
     </message>
     <message>
         <source>30 s from when the unit has restarted with them</source>
@@ -4771,7 +4771,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Keep these values of %1?</source>
-        <translation>Conserver ces valeurs de %1 ?</translation>
+        <translation>Conserver ces valeurs de %1&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -4809,7 +4809,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>maintenu 1 s : arme ; relâché trop tôt, sans effet</translation>
+        <translation>maintenu 1 s&#xa0;: arme&#x202f;; relâché trop tôt, sans effet</translation>
     </message>
     <message>
         <source>keeps values that go back by themselves otherwise</source>
@@ -4895,7 +4895,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::Lamp</name>
     <message>
         <source>Arm button: %1</source>
-        <translation>Bouton Armer : %1</translation>
+        <translation>Bouton Armer&#xa0;: %1</translation>
     </message>
     <message>
         <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
@@ -4942,7 +4942,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>hold to arm</source>
-        <translation>maintenir : armer</translation>
+        <translation>maintenir&#xa0;: armer</translation>
     </message>
     <message>
         <source>nothing to arm</source>
@@ -4950,7 +4950,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>hold to re-arm</source>
-        <translation>maintenir : réarmer</translation>
+        <translation>maintenir&#xa0;: réarmer</translation>
     </message>
     <message>
         <source>cut its power</source>
@@ -4977,7 +4977,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Link %1: %2</source>
-        <translation>Liaison %1 : %2</translation>
+        <translation>Liaison %1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -4988,14 +4988,14 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>find it: all rates of the protocol</source>
-        <translation>le trouver : tous les débits du protocole</translation>
+        <translation>le trouver&#xa0;: tous les débits du protocole</translation>
     </message>
     <message>
         <source>%1 bit/s</source>
         <translation>%1 bit/s</translation>
     </message>
     <message>
-        <source>the computer's own RS-485 port</source>
+        <source>the computer&apos;s own RS-485 port</source>
         <translation>port RS-485 propre à l’ordinateur</translation>
     </message>
     <message>
@@ -5003,8 +5003,8 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
         <translation>RS-485</translation>
     </message>
     <message>
-        <source>Lets the kernel switch the driver of a port on the computer's board. Adapters on USB switch by themselves: leave it off.</source>
-        <translation>Laisse le noyau commuter l’émetteur d’un port de la carte de l’ordinateur. Les adaptateurs USB commutent d’eux-mêmes : laissez désactivé.</translation>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
+        <translation>Laisse le noyau commuter l’émetteur d’un port de la carte de l’ordinateur. Les adaptateurs USB commutent d’eux-mêmes&#xa0;: laissez désactivé.</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -5051,7 +5051,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1 has this link too. Agree who drives: two masters on one motor disturb each other.</source>
-        <translation>%1 utilise aussi cette liaison. Convenez de qui pilote : deux maîtres sur un moteur se gênent.</translation>
+        <translation>%1 utilise aussi cette liaison. Convenez de qui pilote&#xa0;: deux maîtres sur un moteur se gênent.</translation>
     </message>
     <message>
         <source>%1 has this port. Close it there, then reconnect.</source>
@@ -5062,7 +5062,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::ListCard</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5139,11 +5139,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1 : %2 trames reçues, %3 envoyées, %4 rejetées, %5 erreurs</translation>
+        <translation>%1&#xa0;: %2 trames reçues, %3 envoyées, %4 rejetées, %5 erreurs</translation>
     </message>
     <message>
         <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1 : %2 octets reçus, %3 envoyés, %4 rejetés, %5 erreurs</translation>
+        <translation>%1&#xa0;: %2 octets reçus, %3 envoyés, %4 rejetés, %5 erreurs</translation>
     </message>
     <message>
         <source>REC %1</source>
@@ -5195,7 +5195,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>needs a device; open a link first</source>
-        <translation>nécessite un appareil ; ouvrez d’abord une liaison</translation>
+        <translation>nécessite un appareil&#x202f;; ouvrez d’abord une liaison</translation>
     </message>
     <message>
         <source>simulated bench</source>
@@ -5262,7 +5262,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
         <translation>RAMPE</translation>
     </message>
     <message>
-        <source>The drive's own ramp was on</source>
+        <source>The drive&apos;s own ramp was on</source>
         <translation>La rampe du variateur était active</translation>
     </message>
     <message>
@@ -5283,7 +5283,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>The duty was at its limit while I went on; that is paid back as overshoot</source>
-        <translation>Le rapport cyclique était en limite alors que I continuait ; cela se paie en dépassement</translation>
+        <translation>Le rapport cyclique était en limite alors que I continuait&#x202f;; cela se paie en dépassement</translation>
     </message>
     <message>
         <source>QUANT</source>
@@ -5391,7 +5391,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1 on the adapter before</source>
-        <translation>%1 sur l'adaptateur précédent</translation>
+        <translation>%1 sur l&apos;adaptateur précédent</translation>
     </message>
 </context>
 <context>
@@ -5458,7 +5458,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Brakes to a halt and holds the position. The motors stay on; STOP switches them off.</source>
-        <translation>Freine jusqu’à l’arrêt et maintient la position. Les moteurs restent sous tension ; STOP les coupe.</translation>
+        <translation>Freine jusqu’à l’arrêt et maintient la position. Les moteurs restent sous tension&#x202f;; STOP les coupe.</translation>
     </message>
     <message>
         <source>%1 takes part</source>
@@ -5506,7 +5506,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Stop takes no move away that has not begun: %1 would begin it with the next start on this line. Prepare gives a new one; switching the unit off clears it.</source>
-        <translation>L’arrêt n’efface pas un mouvement qui n’a pas commencé : %1 le lancerait au prochain démarrage sur cette ligne. Préparer en donne un nouveau ; la mise hors tension l’efface.</translation>
+        <translation>L’arrêt n’efface pas un mouvement qui n’a pas commencé&#xa0;: %1 le lancerait au prochain démarrage sur cette ligne. Préparer en donne un nouveau&#x202f;; la mise hors tension l’efface.</translation>
     </message>
     <message>
         <source>Hold the Arm button. It covers all that take part.</source>
@@ -5514,11 +5514,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>Prepare switches the motors on where they stand; nothing turns before Start.</source>
-        <translation>Préparer met les moteurs sous tension là où ils sont ; rien ne tourne avant Démarrer.</translation>
+        <translation>Préparer met les moteurs sous tension là où ils sont&#x202f;; rien ne tourne avant Démarrer.</translation>
     </message>
     <message>
-        <source>not prepared: '%1' is no number of counts</source>
-        <translation>non préparé : « %1 » n’est pas un nombre de counts</translation>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
+        <translation>non préparé&#xa0;: «&#xa0;%1&#xa0;» n’est pas un nombre de counts</translation>
     </message>
 </context>
 <context>
@@ -5537,7 +5537,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5563,8 +5563,8 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Frames received that no controller family knows: somebody else's traffic</source>
-        <translation>Trames reçues qu’aucune famille de contrôleurs ne connaît : trafic étranger</translation>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
+        <translation>Trames reçues qu’aucune famille de contrôleurs ne connaît&#xa0;: trafic étranger</translation>
     </message>
     <message>
         <source>round trip</source>
@@ -5639,11 +5639,11 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>The device cannot have this set: %1</source>
-        <translation>L’appareil ne peut pas avoir ce jeu : %1</translation>
+        <translation>L’appareil ne peut pas avoir ce jeu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Held at τc %1 by: %2</source>
-        <translation>Tenu à τc %1 par : %2</translation>
+        <translation>Tenu à τc %1 par&#xa0;: %2</translation>
     </message>
     <message>
         <source>proposal %1</source>
@@ -5654,7 +5654,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::PageKeys</name>
     <message>
         <source>Keys: %1</source>
-        <translation>Touches : %1</translation>
+        <translation>Touches&#xa0;: %1</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -5677,27 +5677,27 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     </message>
     <message>
         <source>page %1: waiting</source>
-        <translation>page %1 : en attente</translation>
+        <translation>page %1&#xa0;: en attente</translation>
     </message>
     <message>
         <source>page %1: being written</source>
-        <translation>page %1 : écriture en cours</translation>
+        <translation>page %1&#xa0;: écriture en cours</translation>
     </message>
     <message>
         <source>page %1: written after it was sent again</source>
-        <translation>page %1 : écrite après renvoi</translation>
+        <translation>page %1&#xa0;: écrite après renvoi</translation>
     </message>
     <message>
         <source>page %1: written</source>
-        <translation>page %1 : écrite</translation>
+        <translation>page %1&#xa0;: écrite</translation>
     </message>
     <message>
         <source>page %1: sent again</source>
-        <translation>page %1 : renvoyée</translation>
+        <translation>page %1&#xa0;: renvoyée</translation>
     </message>
     <message>
         <source>page %1: not in the image</source>
-        <translation>page %1 : absente de l’image</translation>
+        <translation>page %1&#xa0;: absente de l’image</translation>
     </message>
 </context>
 <context>
@@ -5718,7 +5718,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <name>mb::ParameterCommands</name>
     <message>
         <source>What was written before it is in force; the rest is still staged. Nothing was stored.</source>
-        <translation>Ce qui a été écrit avant est en vigueur ; le reste est encore en attente. Rien n’a été mémorisé.</translation>
+        <translation>Ce qui a été écrit avant est en vigueur&#x202f;; le reste est encore en attente. Rien n’a été mémorisé.</translation>
     </message>
     <message>
         <source>Nothing is proved to be in flash. Store again, and keep power on.</source>
@@ -6181,7 +6181,7 @@ Double-clic ou Entrée le trace ; faites-le glisser sur un graphique.</transla
     <message>
         <source>The whole session: drag the box or click to scroll back, End returns to the present.
 The recording goes on meanwhile.</source>
-        <translation>Toute la session : faites glisser le cadre ou cliquez pour revenir en arrière, Fin ramène au présent.
+        <translation>Toute la session&#xa0;: faites glisser le cadre ou cliquez pour revenir en arrière, Fin ramène au présent.
 L’enregistrement continue entre-temps.</translation>
     </message>
 </context>
@@ -6264,7 +6264,7 @@ L’enregistrement continue entre-temps.</translation>
     </message>
     <message>
         <source>Trigger: stands still at an edge or a level</source>
-        <translation>Déclencheur : s’immobilise sur un front ou un niveau</translation>
+        <translation>Déclencheur&#xa0;: s’immobilise sur un front ou un niveau</translation>
     </message>
     <message>
         <source>Cursors A and B</source>
@@ -6280,7 +6280,7 @@ L’enregistrement continue entre-temps.</translation>
     </message>
     <message>
         <source>Layouts: save, restore, reset</source>
-        <translation>Dispositions : sauvegarder, restaurer, réinitialiser</translation>
+        <translation>Dispositions&#xa0;: sauvegarder, restaurer, réinitialiser</translation>
     </message>
     <message>
         <source>Export</source>
@@ -6288,7 +6288,7 @@ L’enregistrement continue entre-temps.</translation>
     </message>
     <message>
         <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
-        <translation>L’image en PNG, SVG ou PDF ; les échantillons en CSV ou MCAP</translation>
+        <translation>L’image en PNG, SVG ou PDF&#x202f;; les échantillons en CSV ou MCAP</translation>
     </message>
 </context>
 <context>
@@ -6299,7 +6299,7 @@ L’enregistrement continue entre-temps.</translation>
     </message>
     <message>
         <source>Open a link, or the simulated bench from the menu; its signals appear here.</source>
-        <translation>Ouvrez une liaison, ou le banc simulé depuis le menu ; ses signaux apparaissent ici.</translation>
+        <translation>Ouvrez une liaison, ou le banc simulé depuis le menu&#x202f;; ses signaux apparaissent ici.</translation>
     </message>
     <message>
         <source>Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box
@@ -6329,7 +6329,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>cursors: arrows move one, C changes to the other</source>
-        <translation>curseurs : les flèches en déplacent un, C passe à l’autre</translation>
+        <translation>curseurs&#xa0;: les flèches en déplacent un, C passe à l’autre</translation>
     </message>
     <message>
         <source>watches for a trigger, or no more</source>
@@ -6341,15 +6341,15 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>in the plots: less or more time</source>
-        <translation>dans les courbes : moins ou plus de temps</translation>
+        <translation>dans les courbes&#xa0;: moins ou plus de temps</translation>
     </message>
     <message>
         <source>in the plots: larger or smaller values</source>
-        <translation>dans les courbes : valeurs plus grandes ou plus petites</translation>
+        <translation>dans les courbes&#xa0;: valeurs plus grandes ou plus petites</translation>
     </message>
     <message>
         <source>in the plots: writes a note at this time</source>
-        <translation>dans les courbes : écrit une note à cet instant</translation>
+        <translation>dans les courbes&#xa0;: écrit une note à cet instant</translation>
     </message>
     <message>
         <source>Note at this time…	N</source>
@@ -6377,7 +6377,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Trigger: stands still at an edge or a level</source>
-        <translation>Déclencheur : s’immobilise sur un front ou un niveau</translation>
+        <translation>Déclencheur&#xa0;: s’immobilise sur un front ou un niveau</translation>
     </message>
     <message>
         <source>Export samples…</source>
@@ -6385,7 +6385,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -6444,7 +6444,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Open the folder: %1</source>
-        <translation>Ouvrir le dossier : %1</translation>
+        <translation>Ouvrir le dossier&#xa0;: %1</translation>
     </message>
     <message>
         <source>General</source>
@@ -6527,7 +6527,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Hold to arm self-tests</source>
-        <translation>Maintenir : armer les autotests</translation>
+        <translation>Maintenir&#xa0;: armer les autotests</translation>
     </message>
     <message>
         <source>Start</source>
@@ -6543,7 +6543,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>ARMED, hold to disarm</source>
-        <translation>ARMÉ, maintenir : désarmer</translation>
+        <translation>ARMÉ, maintenir&#xa0;: désarmer</translation>
     </message>
 </context>
 <context>
@@ -6586,15 +6586,15 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The self-test turns the motor: %1</source>
-        <translation>L’autotest fait tourner le moteur : %1</translation>
+        <translation>L’autotest fait tourner le moteur&#xa0;: %1</translation>
     </message>
     <message>
         <source>not started: open a link first</source>
-        <translation>non démarré : ouvrez d’abord une liaison</translation>
+        <translation>non démarré&#xa0;: ouvrez d’abord une liaison</translation>
     </message>
     <message>
         <source>not started: open a recipe first</source>
-        <translation>non démarré : ouvrez d’abord une recette</translation>
+        <translation>non démarré&#xa0;: ouvrez d’abord une recette</translation>
     </message>
     <message>
         <source>no unit here has the serial number %1</source>
@@ -6622,7 +6622,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>not tested again: %1</source>
-        <translation>pas testé à nouveau : %1</translation>
+        <translation>pas testé à nouveau&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6657,7 +6657,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
-        <translation>Le profil demande une accélération jusqu’à %1 counts/s² ; 0 signifie aucune.</translation>
+        <translation>Le profil demande une accélération jusqu’à %1 counts/s²&#x202f;; 0 signifie aucune.</translation>
     </message>
 </context>
 <context>
@@ -6672,7 +6672,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>How this unit is spoken to. The scan finds it out; choose another only if you know better.</source>
-        <translation>La façon de parler à cet appareil. La recherche la détermine ; n’en choisissez une autre qu’en connaissance de cause.</translation>
+        <translation>La façon de parler à cet appareil. La recherche la détermine&#x202f;; n’en choisissez une autre qu’en connaissance de cause.</translation>
     </message>
     <message>
         <source>dialect as found</source>
@@ -6684,11 +6684,11 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Speak another dialect?</source>
-        <translation>Parler un autre dialecte ?</translation>
+        <translation>Parler un autre dialecte&#x202f;?</translation>
     </message>
     <message>
         <source>Speak to this unit as %1?</source>
-        <translation>Parler à cet appareil en %1 ?</translation>
+        <translation>Parler à cet appareil en %1&#x202f;?</translation>
     </message>
     <message>
         <source>Speak it</source>
@@ -6696,7 +6696,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>dialect as found: %1</source>
-        <translation>dialecte trouvé : %1</translation>
+        <translation>dialecte trouvé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6707,7 +6707,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>What writes the flash: one of the list, or the name that the program gives to another</source>
-        <translation>Ce qui écrit la flash : un élément de la liste, ou le nom que le programme donne à un autre</translation>
+        <translation>Ce qui écrit la flash&#xa0;: un élément de la liste, ou le nom que le programme donne à un autre</translation>
     </message>
     <message>
         <source>Port of the programmer</source>
@@ -6722,7 +6722,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>sur</translation>
     </message>
     <message>
-        <source>the device's own line</source>
+        <source>the device&apos;s own line</source>
         <translation>la ligne propre à l’appareil</translation>
     </message>
     <message>
@@ -6735,7 +6735,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>No serial port is plugged in; choose or name the one of the programmer</source>
-        <translation>Aucun port série n’est branché ; choisissez ou nommez celui du programmateur</translation>
+        <translation>Aucun port série n’est branché&#x202f;; choisissez ou nommez celui du programmateur</translation>
     </message>
 </context>
 <context>
@@ -6804,7 +6804,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Proposal: %1</source>
-        <translation>Proposition : %1</translation>
+        <translation>Proposition&#xa0;: %1</translation>
     </message>
     <message>
         <source>over</source>
@@ -6902,7 +6902,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Ended before its time: %1</source>
-        <translation>Terminée avant l’heure : %1</translation>
+        <translation>Terminée avant l’heure&#xa0;: %1</translation>
     </message>
     <message>
         <source>Pauses after this unit</source>
@@ -6925,7 +6925,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Ended: %1 of %2 units</source>
-        <translation>Terminé : %1 appareils sur %2</translation>
+        <translation>Terminé&#xa0;: %1 appareils sur %2</translation>
     </message>
     <message>
         <source>Nothing running</source>
@@ -6988,23 +6988,23 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>The last queue of this recipe was cut off: %1 done, %2 open</source>
-        <translation>La dernière file de cette recette a été interrompue : %1 faits, %2 ouverts</translation>
+        <translation>La dernière file de cette recette a été interrompue&#xa0;: %1 faits, %2 ouverts</translation>
     </message>
     <message>
         <source>What has ended stays as it is; ticked units are taken along.</source>
-        <translation>Ce qui est terminé reste tel quel ; les appareils cochés sont ajoutés.</translation>
+        <translation>Ce qui est terminé reste tel quel&#xa0;; les appareils cochés sont ajoutés.</translation>
     </message>
     <message>
         <source>One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on disk: after a crash the queue goes on.</source>
-        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le registre est sur disque : après un plantage, la file reprend.</translation>
+        <translation>Un appareil à la fois par bus, les bus en parallèle. Les vrais appareils gardent cet ordinateur éveillé. Le registre est sur disque&#xa0;: après un plantage, la file reprend.</translation>
     </message>
     <message>
         <source>Every unit is backed up before and compared afterwards; the journal has it.</source>
-        <translation>Chaque appareil est sauvegardé avant et comparé après ; le registre en garde trace.</translation>
+        <translation>Chaque appareil est sauvegardé avant et comparé après&#xa0;; le registre en garde trace.</translation>
     </message>
     <message>
         <source>not tried again: %1</source>
-        <translation>pas réessayé : %1</translation>
+        <translation>pas réessayé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7132,7 +7132,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <name>mb::QueueSide</name>
     <message>
         <source>The self-test turns the motor: %1. Hold Arm in the header once the queue runs.</source>
-        <translation>L’autotest fait tourner le moteur : %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
+        <translation>L’autotest fait tourner le moteur&#xa0;: %1. Maintenez Armer dans l’en-tête une fois la file lancée.</translation>
     </message>
 </context>
 <context>
@@ -7198,7 +7198,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>failed: %1</source>
-        <translation>échec : %1</translation>
+        <translation>échec&#xa0;: %1</translation>
     </message>
     <message>
         <source>refused before start</source>
@@ -7256,7 +7256,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>hold Arm in the header</source>
         <translation>maintenir Armer dans l’en-tête</translation>
     </message>
-<message>
+    <message>
         <source>written, not proved</source>
         <translation>écrit, non prouvé</translation>
     </message>
@@ -7577,11 +7577,11 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>nothing is recorded: %1</source>
-        <translation>rien n’est enregistré : %1</translation>
+        <translation>rien n’est enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>The recording has ended: %1. %2 frames are missing in it.</source>
-        <translation>L’enregistrement est terminé : %1. Il y manque %2 trames.</translation>
+        <translation>L’enregistrement est terminé&#xa0;: %1. Il y manque %2 trames.</translation>
     </message>
     <message>
         <source>Recording  %1   %2 frames   %3   %4 lost   %5</source>
@@ -7600,7 +7600,7 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     </message>
     <message>
         <source>Samples are not recorded on disk: %1</source>
-        <translation>Les échantillons ne sont pas enregistrés sur disque : %1</translation>
+        <translation>Les échantillons ne sont pas enregistrés sur disque&#xa0;: %1</translation>
     </message>
     <message>
         <source>What the last session recorded waits for the next start: %1</source>
@@ -7629,7 +7629,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>not recorded: %1</source>
-        <translation>non enregistré : %1</translation>
+        <translation>non enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 · %2 · %3 samples</source>
@@ -7688,11 +7688,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Where the recording stands; arrow keys move it by 1 s, Page Up and Page Down by 10 s</source>
-        <translation>Position dans l’enregistrement ; les flèches la déplacent de 1 s, Page haut et Page bas de 10 s</translation>
+        <translation>Position dans l’enregistrement&#x202f;; les flèches la déplacent de 1 s, Page haut et Page bas de 10 s</translation>
     </message>
     <message>
         <source>%1: looking through it, %2 %</source>
-        <translation>%1 : analyse, %2 %</translation>
+        <translation>%1&#xa0;: analyse, %2 %</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -7723,7 +7723,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>no report: %1</source>
-        <translation>pas de rapport : %1</translation>
+        <translation>pas de rapport&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7830,11 +7830,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>stopped by the guard “%1”</source>
-        <translation>arrêté par la surveillance « %1 »</translation>
+        <translation>arrêté par la surveillance «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>DEMO: this unit is simulated. Nothing here was measured on a motor.</source>
-        <translation>DÉMO : cet appareil est simulé. Rien ici n’a été mesuré sur un moteur.</translation>
+        <translation>DÉMO&#xa0;: cet appareil est simulé. Rien ici n’a été mesuré sur un moteur.</translation>
     </message>
     <message>
         <source>Report on %1</source>
@@ -7866,7 +7866,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Trial %1: %2</source>
-        <translation>Essai %1 : %2</translation>
+        <translation>Essai %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>target</source>
@@ -7902,7 +7902,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Parameters of this set that have their default: %1</source>
-        <translation>Paramètres de ce jeu à leur valeur par défaut : %1</translation>
+        <translation>Paramètres de ce jeu à leur valeur par défaut&#xa0;: %1</translation>
     </message>
     <message>
         <source>travel ± %1</source>
@@ -7958,11 +7958,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>It ran within: %1.</source>
-        <translation>Exécuté dans les limites : %1.</translation>
+        <translation>Exécuté dans les limites&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Note: %1</source>
-        <translation>Note : %1</translation>
+        <translation>Note&#xa0;: %1</translation>
     </message>
     <message>
         <source>No.</source>
@@ -8058,7 +8058,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Velocity filter of the device: %1</source>
-        <translation>Filtre de vitesse de l’appareil : %1</translation>
+        <translation>Filtre de vitesse de l’appareil&#xa0;: %1</translation>
     </message>
     <message>
         <source>passed</source>
@@ -8070,7 +8070,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>What the model was judged by:</source>
-        <translation>Critères de jugement du modèle :</translation>
+        <translation>Critères de jugement du modèle&#xa0;:</translation>
     </message>
     <message>
         <source>Before</source>
@@ -8138,7 +8138,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Response of the closed loop: %1</source>
-        <translation>Réponse de la boucle fermée : %1</translation>
+        <translation>Réponse de la boucle fermée&#xa0;: %1</translation>
     </message>
     <message>
         <source>bounded by %1</source>
@@ -8146,7 +8146,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Tuning of the %1 loop</source>
-        <translation>Réglage de la boucle : %1</translation>
+        <translation>Réglage de la boucle&#xa0;: %1</translation>
     </message>
     <message>
         <source>trials %1</source>
@@ -8361,7 +8361,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Set-points that it can follow: at most %1 and %2</source>
-        <translation>Consignes qu’il peut suivre : au plus %1 et %2</translation>
+        <translation>Consignes qu’il peut suivre&#xa0;: au plus %1 et %2</translation>
     </message>
     <message>
         <source>to be looked at</source>
@@ -8397,7 +8397,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>its place; another unit may stand there</source>
-        <translation>sa place ; un autre appareil peut s'y trouver</translation>
+        <translation>sa place ; un autre appareil peut s&apos;y trouver</translation>
     </message>
     <message>
         <source>Friction, share of duty</source>
@@ -8535,15 +8535,15 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <name>mb::ResolutionMeter</name>
     <message>
         <source>Resolution: off</source>
-        <translation>Résolution : arrêt</translation>
+        <translation>Résolution&#xa0;: arrêt</translation>
     </message>
     <message>
         <source>Resolution: %1 steps</source>
-        <translation>Résolution : %1 pas</translation>
+        <translation>Résolution&#xa0;: %1 pas</translation>
     </message>
     <message>
         <source>The device knows this value as %1 whole steps: the smallest change is %2 %.</source>
-        <translation>L’appareil connaît cette valeur en %1 pas entiers : la plus petite variation est de %2 %.</translation>
+        <translation>L’appareil connaît cette valeur en %1 pas entiers&#xa0;: la plus petite variation est de %2 %.</translation>
     </message>
     <message>
         <source>%1 LSB</source>
@@ -8594,11 +8594,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>%1: duty at %2 % limit, %3</source>
-        <translation>%1 : rapport cyclique à la limite de %2 %, %3</translation>
+        <translation>%1&#xa0;: rapport cyclique à la limite de %2 %, %3</translation>
     </message>
     <message>
         <source>%1: current at its limit, %2</source>
-        <translation>%1 : courant en limite, %2</translation>
+        <translation>%1&#xa0;: courant en limite, %2</translation>
     </message>
     <message>
         <source>limit %1 %</source>
@@ -8633,7 +8633,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Erase what the unit has stored: its gains are lost</source>
-        <translation>Effacer ce que l’appareil a mémorisé : ses gains sont perdus</translation>
+        <translation>Effacer ce que l’appareil a mémorisé&#xa0;: ses gains sont perdus</translation>
     </message>
     <message>
         <source>What is not known of it…</source>
@@ -8684,7 +8684,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>shows everything</source>
@@ -8704,11 +8704,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>%1: no samples</source>
-        <translation>%1 : aucun échantillon</translation>
+        <translation>%1&#xa0;: aucun échantillon</translation>
     </message>
     <message>
         <source>One export at a time: %1 is being written.</source>
-        <translation>Un seul export à la fois : %1 est en cours d’écriture.</translation>
+        <translation>Un seul export à la fois&#xa0;: %1 est en cours d’écriture.</translation>
     </message>
     <message>
         <source>; the file has more, of which nothing is shown: it is too large for the memory</source>
@@ -8770,11 +8770,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Ends the search; what it has found stays.</source>
-        <translation>Arrête la recherche ; ce qu’elle a trouvé reste.</translation>
+        <translation>Arrête la recherche&#x202f;; ce qu’elle a trouvé reste.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -8793,7 +8793,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Hexadecimal; a whole frame such as 02061405#8125 may be pasted here</source>
-        <translation>Hexadécimal ; une trame entière telle que 02061405#8125 peut être collée ici</translation>
+        <translation>Hexadécimal&#x202f;; une trame entière telle que 02061405#8125 peut être collée ici</translation>
     </message>
     <message>
         <source>Length of the identifier</source>
@@ -8845,7 +8845,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Makes a motor move: %1</source>
-        <translation>Met un moteur en mouvement : %1</translation>
+        <translation>Met un moteur en mouvement&#xa0;: %1</translation>
     </message>
     <message>
         <source>ended</source>
@@ -8861,7 +8861,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>%1 sent, then: %2</source>
-        <translation>%1 envoyées, puis : %2</translation>
+        <translation>%1 envoyées, puis&#xa0;: %2</translation>
     </message>
     <message>
         <source>the page was left</source>
@@ -8892,11 +8892,11 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>agree who drives: two masters disturb each other</source>
-        <translation>convenez de qui pilote : deux maîtres se gênent</translation>
+        <translation>convenez de qui pilote&#xa0;: deux maîtres se gênent</translation>
     </message>
     <message>
         <source>The program ended unexpectedly (%1). What was measured is kept. Open again: %2?</source>
-        <translation>Le programme s’est terminé de façon inattendue (%1). Les mesures sont conservées. Rouvrir : %2 ?</translation>
+        <translation>Le programme s’est terminé de façon inattendue (%1). Les mesures sont conservées. Rouvrir&#xa0;: %2&#x202f;?</translation>
     </message>
     <message numerus="yes">
         <source>%n unit(s)</source>
@@ -8914,7 +8914,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <name>mb::SessionKeeper</name>
     <message>
         <source>This session cannot be kept: %1</source>
-        <translation>Cette session ne peut pas être conservée : %1</translation>
+        <translation>Cette session ne peut pas être conservée&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -8925,7 +8925,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Enter applies it while the motor runs; it never starts one.</source>
-        <translation>Entrée l’applique pendant que le moteur tourne ; elle n’en démarre jamais un.</translation>
+        <translation>Entrée l’applique pendant que le moteur tourne&#x202f;; elle n’en démarre jamais un.</translation>
     </message>
     <message>
         <source>Set-point, slider</source>
@@ -8945,7 +8945,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
-        <translation>Arrête le moteur et fait de l’endroit où il se trouve la position 0. Il ne repart qu’avec Lancer : un moteur en marche sauterait.</translation>
+        <translation>Arrête le moteur et fait de l’endroit où il se trouve la position 0. Il ne repart qu’avec Lancer&#xa0;: un moteur en marche sauterait.</translation>
     </message>
     <message>
         <source>device</source>
@@ -8956,8 +8956,8 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Pas de consigne. Saisissez un nombre jusqu’à ± %1.</translation>
     </message>
     <message>
-        <source>"%1" is no number. Enter one up to ± %2.</source>
-        <translation>« %1 » n’est pas un nombre. Saisissez-en un jusqu’à ± %2.</translation>
+        <source>&quot;%1&quot; is no number. Enter one up to ± %2.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre. Saisissez-en un jusqu’à ± %2.</translation>
     </message>
     <message>
         <source>%1 is no device number. Enter the number of the device to follow.</source>
@@ -8988,7 +8988,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>A set-point beyond it is refused: the limit of the hand, not of the drive.</source>
-        <translation>Une consigne au-delà est refusée : limite de l’opérateur, pas du variateur.</translation>
+        <translation>Une consigne au-delà est refusée&#xa0;: limite de l’opérateur, pas du variateur.</translation>
     </message>
     <message>
         <source>at once, as a step</source>
@@ -9061,7 +9061,7 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     </message>
     <message>
         <source>A formula over signals: derivative, moving average, difference …</source>
-        <translation>Une formule sur des signaux : dérivée, moyenne glissante, différence …</translation>
+        <translation>Une formule sur des signaux&#xa0;: dérivée, moyenne glissante, différence …</translation>
     </message>
     <message>
         <source>derived</source>
@@ -9077,7 +9077,7 @@ un clic droit supprime le signal</translation>
         <source>%1
 double click plots it, drag it to a pane or below them</source>
         <translation>%1
-un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</translation>
+un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessous</translation>
     </message>
     <message>
         <source>Remove this derived signal</source>
@@ -9140,11 +9140,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Split: both are slot %1 now.</source>
-        <translation>Séparés : tous deux sont maintenant le jeu %1.</translation>
+        <translation>Séparés&#xa0;: tous deux sont maintenant le jeu %1.</translation>
     </message>
     <message>
         <source>Split: edits go to slot %1, slot %2 runs.</source>
-        <translation>Séparés : les modifications vont au jeu %1, le jeu %2 est actif.</translation>
+        <translation>Séparés&#xa0;: les modifications vont au jeu %1, le jeu %2 est actif.</translation>
     </message>
 </context>
 <context>
@@ -9228,7 +9228,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
+        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
     </message>
     <message>
         <source>Continue</source>
@@ -9248,11 +9248,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>First time here?</source>
-        <translation>Première visite ?</translation>
+        <translation>Première visite&#x202f;?</translation>
     </message>
     <message>
         <source>STOP works on key press, everywhere, also while you type (use Esc then). It is software: keep a hardware stop in the supply.</source>
-        <translation>STOP agit dès l’appui, partout, même pendant la saisie (utilisez alors Esc). C’est du logiciel : gardez un arrêt matériel dans l’alimentation.</translation>
+        <translation>STOP agit dès l’appui, partout, même pendant la saisie (utilisez alors Esc). C’est du logiciel&#xa0;: gardez un arrêt matériel dans l’alimentation.</translation>
     </message>
     <message>
         <source>Keys</source>
@@ -9411,7 +9411,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>measured: %1 % over, settled after %2</source>
-        <translation>mesuré : %1 % de dépassement, établi après %2</translation>
+        <translation>mesuré&#xa0;: %1 % de dépassement, établi après %2</translation>
     </message>
     <message>
         <source>%1 % over</source>
@@ -9517,7 +9517,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Where the experiment begins and ends; empty: where the motor is, or 0</source>
-        <translation>Où l’expérience commence et finit ; vide : où est le moteur, ou 0</translation>
+        <translation>Où l’expérience commence et finit&#x202f;; vide&#xa0;: où est le moteur, ou 0</translation>
     </message>
     <message>
         <source>To</source>
@@ -9537,7 +9537,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Seconds; empty: the usual, and a step ends once it has settled</source>
-        <translation>Secondes ; vide : comme d’habitude, et un échelon finit dès qu’il est établi</translation>
+        <translation>Secondes&#x202f;; vide&#xa0;: comme d’habitude, et un échelon finit dès qu’il est établi</translation>
     </message>
     <message>
         <source>settled</source>
@@ -9553,7 +9553,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Each repeat starts a little later between two samples: together they show what is finer than the telemetry</source>
-        <translation>Chaque répétition commence un peu plus tard entre deux échantillons : ensemble, elles montrent ce qui est plus fin que la télémétrie</translation>
+        <translation>Chaque répétition commence un peu plus tard entre deux échantillons&#xa0;: ensemble, elles montrent ce qui est plus fin que la télémétrie</translation>
     </message>
     <message>
         <source>s</source>
@@ -9618,14 +9618,14 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Try it: %1</source>
-        <translation>Essayer : %1</translation>
+        <translation>Essayer&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>mb::SweepPanel</name>
     <message>
         <source>%1 sines from %2 to %3 Hz, both ways in turn: duty %4 ± %5 %, at most %6 counts/s, %7 counts one way, %8.</source>
-        <translation>%1 sinus de %2 à %3 Hz, alternativement dans les deux sens : rapport cyclique %4 ± %5 %, au plus %6 counts/s, %7 counts dans un sens, %8.</translation>
+        <translation>%1 sinus de %2 à %3 Hz, alternativement dans les deux sens&#xa0;: rapport cyclique %4 ± %5 %, au plus %6 counts/s, %7 counts dans un sens, %8.</translation>
     </message>
     <message>
         <source>Frequency response</source>
@@ -9676,15 +9676,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>undone: %1</source>
-        <translation>annulé : %1</translation>
+        <translation>annulé&#xa0;: %1</translation>
     </message>
     <message>
         <source>done again: %1</source>
-        <translation>refait : %1</translation>
+        <translation>refait&#xa0;: %1</translation>
     </message>
     <message>
         <source>put back: %1</source>
-        <translation>rétabli : %1</translation>
+        <translation>rétabli&#xa0;: %1</translation>
     </message>
     <message numerus="yes">
         <source>%n differ</source>
@@ -9830,7 +9830,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Stages the gains of the quickest clean trial with no more than 5 % overshoot; runs nothing.</source>
-        <translation>Met en attente les gains de l’essai propre le plus rapide avec 5 % de dépassement au plus ; n’exécute rien.</translation>
+        <translation>Met en attente les gains de l’essai propre le plus rapide avec 5 % de dépassement au plus&#x202f;; n’exécute rien.</translation>
     </message>
     <message>
         <source>Export the trials as CSV or JSON</source>
@@ -9850,7 +9850,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>stopped: speed</source>
-        <translation>arrêté : vitesse</translation>
+        <translation>arrêté&#xa0;: vitesse</translation>
     </message>
     <message numerus="yes">
         <source>%n, every run is kept</source>
@@ -9920,7 +9920,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Stages the gains of this trial; nothing is written yet.</source>
-        <translation>Met en attente les gains de cet essai ; rien n’est encore écrit.</translation>
+        <translation>Met en attente les gains de cet essai&#x202f;; rien n’est encore écrit.</translation>
     </message>
     <message>
         <source>starred</source>
@@ -9975,7 +9975,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::TrialOrders</name>
     <message>
         <source>the notebook: %1</source>
-        <translation>le carnet d’essais : %1</translation>
+        <translation>le carnet d’essais&#xa0;: %1</translation>
     </message>
     <message>
         <source>Export trials</source>
@@ -10118,7 +10118,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>stopped: %1</source>
-        <translation>arrêté : %1</translation>
+        <translation>arrêté&#xa0;: %1</translation>
     </message>
     <message>
         <source>nobody saw its end</source>
@@ -10180,7 +10180,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>not kept: %1</source>
-        <translation>non conservé : %1</translation>
+        <translation>non conservé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -10191,7 +10191,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Arm again: forgets this event, waits for the next</source>
-        <translation>Réarmer : oublie cet événement, attend le suivant</translation>
+        <translation>Réarmer&#xa0;: oublie cet événement, attend le suivant</translation>
     </message>
     <message>
         <source>Trace that triggers</source>
@@ -10251,7 +10251,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The level; the handle ▸ at the left of the plot drags it, too</source>
-        <translation>Le niveau ; la poignée ▸ à gauche du graphique le déplace aussi</translation>
+        <translation>Le niveau&#x202f;; la poignée ▸ à gauche du graphique le déplace aussi</translation>
     </message>
     <message>
         <source>trigger %1 %2 %3, %4 before</source>
@@ -10267,14 +10267,14 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>axis %1 moves in another mode; stop it first</source>
-        <translation>l’axe %1 se déplace dans un autre mode ; arrêtez-le d’abord</translation>
+        <translation>l’axe %1 se déplace dans un autre mode&#x202f;; arrêtez-le d’abord</translation>
     </message>
 </context>
 <context>
     <name>mb::TuneColumn</name>
     <message>
         <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
-        <translation>La limite de puissance de l’axe %1 est inconnue : son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
+        <translation>La limite de puissance de l’axe %1 est inconnue&#xa0;: son premier mouvement la fixe à %2. Écrivez-en une autre sous Limites de l’axe.</translation>
     </message>
     <message>
         <source>%</source>
@@ -10328,7 +10328,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::TuneExperiments</name>
     <message>
         <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées : %1</translation>
+        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
     </message>
     <message>
         <source>Experiment</source>
@@ -10453,7 +10453,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>gains not written: %1</source>
-        <translation>gains non écrits : %1</translation>
+        <translation>gains non écrits&#xa0;: %1</translation>
     </message>
     <message>
         <source>Gains of trial #%1</source>
@@ -10465,7 +10465,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
-        <translation>rien copié : aucun gain de l’axe %1 n’est connu pour ce mode ; écrivez-le d’abord</translation>
+        <translation>rien copié&#xa0;: aucun gain de l’axe %1 n’est connu pour ce mode&#x202f;; écrivez-le d’abord</translation>
     </message>
     <message>
         <source>Gains and limits of axis %1</source>
@@ -10484,7 +10484,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>a battery of steps: several sizes, both ways, and the worst of them</source>
-        <translation>une série d’échelons : plusieurs amplitudes, les deux sens, et le pire d’entre eux</translation>
+        <translation>une série d’échelons&#xa0;: plusieurs amplitudes, les deux sens, et le pire d’entre eux</translation>
     </message>
     <message>
         <source>goes to the first gain</source>
@@ -10492,7 +10492,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>swaps the gain slots; disarms</source>
-        <translation>permute les jeux de gains ; désarme</translation>
+        <translation>permute les jeux de gains&#x202f;; désarme</translation>
     </message>
     <message>
         <source>flips trials A and B</source>
@@ -10504,7 +10504,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>cursors in the plot: arrows move one, C changes to the other</source>
-        <translation>curseurs dans la courbe : les flèches en déplacent un, C passe à l’autre</translation>
+        <translation>curseurs dans la courbe&#xa0;: les flèches en déplacent un, C passe à l’autre</translation>
     </message>
     <message>
         <source>fits time and value of the plot</source>
@@ -10516,7 +10516,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>identifies the device: it blinks</source>
-        <translation>identifie l’appareil : il clignote</translation>
+        <translation>identifie l’appareil&#xa0;: il clignote</translation>
     </message>
     <message>
         <source>undoes the last edit of gains, or else the last write to the unit</source>
@@ -10528,11 +10528,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>held: moves the armed motor gently forwards or backwards</source>
-        <translation>maintenu : déplace doucement le moteur armé en avant ou en arrière</translation>
+        <translation>maintenu&#xa0;: déplace doucement le moteur armé en avant ou en arrière</translation>
     </message>
     <message>
-        <source>on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
-        <translation>sur le curseur d’un gain : 2 %, avec Maj 0,2 %, avec Ctrl 20 % ; la molette fait de même par 2 %</translation>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <translation>sur le curseur d’un gain&#xa0;: 2 %, avec Maj 0,2 %, avec Ctrl 20 %&#x202f;; la molette fait de même par 2 %</translation>
     </message>
     <message>
         <source>redoes the last edit or write</source>
@@ -10543,7 +10543,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::TuneMotion</name>
     <message>
         <source>position 0 is here; the motor is off until Run</source>
-        <translation>la position 0 est ici ; le moteur est coupé jusqu’à Lancer</translation>
+        <translation>la position 0 est ici&#x202f;; le moteur est coupé jusqu’à Lancer</translation>
     </message>
     <message>
         <source>it has no lamp that could blink</source>
@@ -10551,11 +10551,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>not identified: %1</source>
-        <translation>non identifié : %1</translation>
+        <translation>non identifié&#xa0;: %1</translation>
     </message>
     <message>
         <source>disarmed: %1 changed</source>
-        <translation>désarmé : %1 a changé</translation>
+        <translation>désarmé&#xa0;: %1 a changé</translation>
     </message>
     <message>
         <source>Moving</source>
@@ -10579,7 +10579,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>axis %1: %2</source>
-        <translation>axe %1 : %2</translation>
+        <translation>axe %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1, slot %2</source>
@@ -10587,7 +10587,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source> · also moving: axis %1</source>
-        <translation> · aussi en mouvement : axe %1</translation>
+        <translation> · aussi en mouvement&#xa0;: axe %1</translation>
     </message>
     <message>
         <source>Its position is not known yet</source>
@@ -10599,7 +10599,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1: holds</source>
-        <translation>%1 : maintient</translation>
+        <translation>%1&#x202f;: maintient</translation>
     </message>
     <message>
         <source>%1 by %2</source>
@@ -10610,7 +10610,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::TunePage</name>
     <message>
         <source>disarmed: another device is selected</source>
-        <translation>désarmé : un autre appareil est sélectionné</translation>
+        <translation>désarmé&#xa0;: un autre appareil est sélectionné</translation>
     </message>
     <message>
         <source>%1 is in its bootloader</source>
@@ -10630,7 +10630,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Choose one in the list at the left; its loop is tuned here.</source>
-        <translation>Choisissez-en un dans la liste à gauche ; sa boucle se règle ici.</translation>
+        <translation>Choisissez-en un dans la liste à gauche&#x202f;; sa boucle se règle ici.</translation>
     </message>
     <message>
         <source>Open a link, or the simulated bench from the menu, to drive a motor.</source>
@@ -10650,7 +10650,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Stopped: %1</source>
-        <translation>Arrêté : %1</translation>
+        <translation>Arrêté&#xa0;: %1</translation>
     </message>
     <message>
         <source>Hold the Arm button for 1 s to arm again.</source>
@@ -10674,7 +10674,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>not run: %1. %2</source>
-        <translation>non lancé : %1. %2</translation>
+        <translation>non lancé&#xa0;: %1. %2</translation>
     </message>
 </context>
 <context>
@@ -10860,11 +10860,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Working: the motor turns</source>
-        <translation>En cours : le moteur tourne</translation>
+        <translation>En cours&#xa0;: le moteur tourne</translation>
     </message>
     <message>
         <source>STOP ends it at any moment; what was changed is put back.</source>
-        <translation>STOP y met fin à tout moment ; ce qui a été modifié est rétabli.</translation>
+        <translation>STOP y met fin à tout moment&#x202f;; ce qui a été modifié est rétabli.</translation>
     </message>
     <message>
         <source>Nothing has moved yet</source>
@@ -11077,19 +11077,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::UnitUpdate</name>
     <message>
         <source>Verified: %1</source>
-        <translation>Vérifié : %1</translation>
+        <translation>Vérifié&#xa0;: %1</translation>
     </message>
     <message>
         <source>Not needed: %1</source>
-        <translation>Inutile : %1</translation>
+        <translation>Inutile&#xa0;: %1</translation>
     </message>
     <message>
         <source>Refused: %1</source>
-        <translation>Refusé : %1</translation>
+        <translation>Refusé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Failed: %1</source>
-        <translation>Échec : %1</translation>
+        <translation>Échec&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cancelled. %1.</source>
@@ -11133,7 +11133,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>One update a bus: %1 is being written.</source>
-        <translation>Une seule mise à jour par bus : écriture de %1 en cours.</translation>
+        <translation>Une seule mise à jour par bus&#xa0;: écriture de %1 en cours.</translation>
     </message>
     <message>
         <source>no device selected</source>
@@ -11197,7 +11197,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 s, pages sent again: %2</source>
-        <translation>%1 s, pages renvoyées : %2</translation>
+        <translation>%1 s, pages renvoyées&#xa0;: %2</translation>
     </message>
     <message>
         <source>Open a firmware image</source>
@@ -11213,17 +11213,17 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Cancelled: %1</source>
-        <translation>Annulé : %1</translation>
+        <translation>Annulé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Cancelled: nothing was written.</source>
-        <translation>Annulé : rien n’a été écrit.</translation>
+        <translation>Annulé&#xa0;: rien n’a été écrit.</translation>
     </message>
     <message>
         <source>%1, as in the image</source>
         <translation>%1, comme dans l’image</translation>
     </message>
-<message>
+    <message>
         <source>Written, not proved: %1</source>
         <translation>Écrit, non prouvé : %1</translation>
     </message>
@@ -11270,7 +11270,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut.</source>
-        <translation>Dans l’ordre d’écriture. Vert : écrite. Bord orange : renvoyée. Tirets : absente de l’image. Rouge : ne pas interrompre.</translation>
+        <translation>Dans l’ordre d’écriture. Vert&#xa0;: écrite. Bord orange&#xa0;: renvoyée. Tirets&#xa0;: absente de l’image. Rouge&#xa0;: ne pas interrompre.</translation>
     </message>
     <message>
         <source>Do not unplug</source>
@@ -11327,11 +11327,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     <name>mb::WindowKeys</name>
     <message>
         <source>shows these keys; once more, the help for this page</source>
-        <translation>affiche ces touches ; encore une fois, l’aide de cette page</translation>
+        <translation>affiche ces touches&#x202f;; encore une fois, l’aide de cette page</translation>
     </message>
     <message>
         <source>production: unit after unit, full screen; and back</source>
-        <translation>production : appareil après appareil, plein écran ; et retour</translation>
+        <translation>production&#xa0;: appareil après appareil, plein écran&#x202f;; et retour</translation>
     </message>
     <message>
         <source>shows page %1</source>
@@ -11406,11 +11406,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Frames: candump and Vector ASC logs (*.log *.asc *.txt)</source>
-        <translation>Trames : journaux candump et Vector ASC (*.log *.asc *.txt)</translation>
+        <translation>Trames&#xa0;: journaux candump et Vector ASC (*.log *.asc *.txt)</translation>
     </message>
     <message>
         <source>Samples: MCAP, CSV (*.mcap *.csv)</source>
-        <translation>Échantillons : MCAP, CSV (*.mcap *.csv)</translation>
+        <translation>Échantillons&#xa0;: MCAP, CSV (*.mcap *.csv)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -11464,35 +11464,35 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Température</translation>
     </message>
     <message>
-        <source>F: the firmware's codes</source>
-        <translation>F : codes du firmware</translation>
+        <source>F: the firmware&apos;s codes</source>
+        <translation>F&#xa0;: codes du firmware</translation>
     </message>
     <message>
-        <source>A unit that speaks the document's codes would take position for current and current for position.</source>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
         <translation>Un appareil qui parle les codes du document prendrait la position pour le courant et le courant pour la position.</translation>
     </message>
     <message>
         <source>L: legacy frames of 8 bytes</source>
-        <translation>L : anciennes trames de 8 octets</translation>
+        <translation>L&#xa0;: anciennes trames de 8 octets</translation>
     </message>
     <message>
-        <source>A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
         <translation>Un appareil au firmware actuel ignore ces trames, sauf l’arrêt, qui est envoyé des deux façons.</translation>
     </message>
     <message>
         <source>LL: older, cannot be stopped</source>
-        <translation>LL : plus ancien, arrêt impossible</translation>
+        <translation>LL&#xa0;: plus ancien, arrêt impossible</translation>
     </message>
     <message>
         <source>It is only watched: there is no code that stops it.</source>
-        <translation>Il est seulement observé : aucun code ne l’arrête.</translation>
+        <translation>Il est seulement observé&#xa0;: aucun code ne l’arrête.</translation>
     </message>
     <message>
-        <source>D: the document's codes</source>
-        <translation>D : codes du document</translation>
+        <source>D: the document&apos;s codes</source>
+        <translation>D&#xa0;: codes du document</translation>
     </message>
     <message>
-        <source>A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
         <translation>Un appareil qui parle les codes du firmware tourne à pleine puissance quand on lui donne une position, et perd son diviseur quand D est écrit.</translation>
     </message>
     <message>
@@ -11501,7 +11501,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Encoder edges in one turn: four times its lines.</source>
-        <translation>Fronts du codeur par tour : quatre fois ses traits.</translation>
+        <translation>Fronts du codeur par tour&#xa0;: quatre fois ses traits.</translation>
     </message>
     <message>
         <source>Ampere per count</source>
@@ -11509,7 +11509,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>What one count of the current converter stands for; it depends on the board.</source>
-        <translation>Ce que vaut un count du convertisseur de courant ; dépend de la carte.</translation>
+        <translation>Ce que vaut un count du convertisseur de courant&#x202f;; dépend de la carte.</translation>
     </message>
     <message>
         <source>Degrees per count</source>
@@ -11517,15 +11517,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>What one count of the temperature converter stands for; it depends on the board.</source>
-        <translation>Ce que vaut un count du convertisseur de température ; dépend de la carte.</translation>
+        <translation>Ce que vaut un count du convertisseur de température&#x202f;; dépend de la carte.</translation>
     </message>
     <message>
         <source>Nothing is written yet; the update can be run again</source>
-        <translation>Rien n’est encore écrit ; la mise à jour peut être relancée</translation>
+        <translation>Rien n’est encore écrit&#x202f;; la mise à jour peut être relancée</translation>
     </message>
     <message>
         <source>The flash is being written: it must not be cut</source>
-        <translation>Écriture de la flash en cours : ne pas interrompre</translation>
+        <translation>Écriture de la flash en cours&#xa0;: ne pas interrompre</translation>
     </message>
     <message>
         <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
@@ -11620,7 +11620,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>la sonde de débogage est là mais ne peut pas être ouverte</translation>
     </message>
     <message>
-        <source>install OpenOCD's udev rules or ask your administrator</source>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
         <translation>installez les règles udev d’OpenOCD ou demandez à votre administrateur</translation>
     </message>
     <message>
@@ -11653,7 +11653,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Output (255 = 100 %) per unit of error, times the divisor. Above 32767 the output wraps to full reverse: the program keeps set-points close enough to the motor for that.</source>
-        <translation>Sortie (255 = 100 %) par unité d’erreur, multipliée par le diviseur. Au-dessus de 32767, la sortie bascule à fond en arrière : le programme garde pour cela les consignes assez près du moteur.</translation>
+        <translation>Sortie (255 = 100 %) par unité d’erreur, multipliée par le diviseur. Au-dessus de 32767, la sortie bascule à fond en arrière&#xa0;: le programme garde pour cela les consignes assez près du moteur.</translation>
     </message>
     <message>
         <source>Output per unit of error and millisecond, times the divisor. Each step of 20 ms is cut to a whole number, so small gains do nothing, and nothing limits the sum.</source>
@@ -11661,15 +11661,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Output times milliseconds per change of error, times the divisor. Its sign is inverted in the drive: only negative numbers damp.</source>
-        <translation>Sortie multipliée par des millisecondes par variation d’erreur, multipliée par le diviseur. Son signe est inversé dans le variateur : seuls les nombres négatifs amortissent.</translation>
+        <translation>Sortie multipliée par des millisecondes par variation d’erreur, multipliée par le diviseur. Son signe est inversé dans le variateur&#xa0;: seuls les nombres négatifs amortissent.</translation>
     </message>
     <message>
         <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche ; 0 n’est jamais écrit. Un diviseur négatif inverse la boucle et garde son intégrale d’un mode à l’autre.</translation>
+        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche&#x202f;; 0 n’est jamais écrit. Un diviseur négatif inverse la boucle et garde son intégrale d’un mode à l’autre.</translation>
     </message>
     <message>
         <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>Échantillons de 20 ms dans une moyenne du courant. Augmentez librement ; après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
+        <translation>Échantillons de 20 ms dans une moyenne du courant. Augmentez librement&#x202f;; après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
     </message>
     <message>
         <source>Averaging</source>
@@ -11688,7 +11688,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Entrée analogique</translation>
     </message>
     <message>
-        <source>count/100 ms</source>
+        <source>count/100&#xa0;ms</source>
         <translation>count/100 ms</translation>
     </message>
     <message>
@@ -11721,11 +11721,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The unit then waits in its bootloader; the update can be run again</source>
-        <translation>L’appareil attend ensuite dans son bootloader ; la mise à jour peut être relancée</translation>
+        <translation>L’appareil attend ensuite dans son bootloader&#x202f;; la mise à jour peut être relancée</translation>
     </message>
     <message>
         <source>Page 0 is being written: it must not be cut</source>
-        <translation>Écriture de la page 0 en cours : ne pas interrompre</translation>
+        <translation>Écriture de la page 0 en cours&#xa0;: ne pas interrompre</translation>
     </message>
     <message>
         <source>A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted.</source>
@@ -11776,12 +11776,12 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Un contact NF agit quand il s’ouvre, un contact NO quand il se ferme. La sortie est alors bloquée dans ce sens.</translation>
     </message>
     <message>
-        <source>On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.</source>
-        <translation>Marche DÉSACTIVE la limite : l’inverse de « activée » des limites logicielles.</translation>
+        <source>On switches the limit OFF: the sense is the opposite of the soft limits&apos; Enabled.</source>
+        <translation>Marche DÉSACTIVE la limite&#xa0;: l’inverse de «&#xa0;activée&#xa0;» des limites logicielles.</translation>
     </message>
     <message>
         <source>Output (32767 = 100 %) per unit of error: counts/100 ms, counts or A, depending on the mode.</source>
-        <translation>Sortie (32767 = 100 %) par unité d’erreur : counts/100 ms, counts ou A, selon le mode.</translation>
+        <translation>Sortie (32767 = 100 %) par unité d’erreur&#xa0;: counts/100 ms, counts ou A, selon le mode.</translation>
     </message>
     <message>
         <source>Output per unit of error and loop of 500 µs. With F·K = 1 any I overshoots.</source>
@@ -11801,11 +11801,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Below it P, I and D contribute nothing and the integral is cleared; F still applies. 0 switches the feature off.</source>
-        <translation>En dessous, P, I et D ne contribuent pas et l’intégrale est effacée ; F agit toujours. 0 désactive la fonction.</translation>
+        <translation>En dessous, P, I et D ne contribuent pas et l’intégrale est effacée&#x202f;; F agit toujours. 0 désactive la fonction.</translation>
     </message>
     <message>
         <source>Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 %. Lower is slower, but 0 is no ramp.</source>
-        <translation>Variation maximale de la sortie par cycle de 500 µs ; 16 met 1,024 s de 0 à 100 %. Plus petit est plus lent, mais 0 est sans rampe.</translation>
+        <translation>Variation maximale de la sortie par cycle de 500 µs&#x202f;; 16 met 1,024 s de 0 à 100 %. Plus petit est plus lent, mais 0 est sans rampe.</translation>
     </message>
     <message>
         <source>Greatest forward output, 32767 = 100 %.</source>
@@ -11817,7 +11817,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Least forward output outside the allowable error; overcomes friction. Closed-loop modes only.</source>
-        <translation>Sortie minimale en avant hors de l’erreur admissible ; vainc le frottement. Boucle fermée seulement.</translation>
+        <translation>Sortie minimale en avant hors de l’erreur admissible&#x202f;; vainc le frottement. Boucle fermée seulement.</translation>
     </message>
     <message>
         <source>Least reverse output outside the allowable error, a number at or below 0. Closed-loop modes only.</source>
@@ -11860,8 +11860,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Limite log. avant activée</translation>
     </message>
     <message>
-        <source>On switches the limit ON: the sense is the opposite of the switches' Disabled.</source>
-        <translation>Marche ACTIVE la limite : l’inverse de « désactivé » des contacts.</translation>
+        <source>On switches the limit ON: the sense is the opposite of the switches&apos; Disabled.</source>
+        <translation>Marche ACTIVE la limite&#xa0;: l’inverse de «&#xa0;désactivé&#xa0;» des contacts.</translation>
     </message>
     <message>
         <source>Reverse soft limit</source>
@@ -11881,7 +11881,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Calibrated at the factory. All current limiting depends on it: change it only to trim the reading.</source>
-        <translation>Étalonné en usine. Toute la limitation de courant en dépend : ne le modifiez que pour ajuster la mesure.</translation>
+        <translation>Étalonné en usine. Toute la limitation de courant en dépend&#xa0;: ne le modifiez que pour ajuster la mesure.</translation>
     </message>
     <message>
         <source>I zone</source>
@@ -11941,7 +11941,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Off is the falling edge. Lost at power-off.</source>
-        <translation>Arrêt : front descendant. Perdu à la mise hors tension.</translation>
+        <translation>Arrêt&#xa0;: front descendant. Perdu à la mise hors tension.</translation>
     </message>
     <message>
         <source>Present faults</source>
@@ -12013,7 +12013,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Time above the peak limit before limiting starts; 0 limits at once.</source>
-        <translation>Temps au-dessus de la limite de pointe avant limitation ; 0 limite immédiatement.</translation>
+        <translation>Temps au-dessus de la limite de pointe avant limitation&#x202f;; 0 limite immédiatement.</translation>
     </message>
     <message>
         <source>Current limit enabled</source>
@@ -12021,7 +12021,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Off is the factory setting: nothing limits the current.</source>
-        <translation>Arrêt est le réglage d’usine : rien ne limite le courant.</translation>
+        <translation>Arrêt est le réglage d’usine&#xa0;: rien ne limite le courant.</translation>
     </message>
     <message>
         <source>Analog period</source>
@@ -12129,7 +12129,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Not told; the terminal program that the data sheet names sends cr.</source>
-        <translation>Non indiqué ; le programme de terminal que nomme la fiche technique envoie cr.</translation>
+        <translation>Non indiqué&#x202f;; le programme de terminal que nomme la fiche technique envoie cr.</translation>
     </message>
     <message>
         <source>greeting holds</source>
@@ -12160,8 +12160,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>sortie par</translation>
     </message>
     <message>
-        <source>Typed at the end. "none" leaves it to jumper and reset.</source>
-        <translation>Saisi à la fin. « none » laisse faire le cavalier et le reset.</translation>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
+        <translation>Saisi à la fin. «&#xa0;none&#xa0;» laisse faire le cavalier et le reset.</translation>
     </message>
     <message>
         <source>counts/s (safe)</source>
@@ -12181,15 +12181,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The data sheet contradicts itself on velocity targets. With plain counts/s a board that wants × 4096 hardly moves; the opposite mistake asks for full speed. Change it only when a board hardly moves, and with a small power limit.</source>
-        <translation>La fiche technique se contredit sur les consignes de vitesse. En simples counts/s, une carte qui attend × 4096 bouge à peine ; l’erreur inverse demande la pleine vitesse. Ne le changez que si une carte bouge à peine, et avec une petite limite de puissance.</translation>
+        <translation>La fiche technique se contredit sur les consignes de vitesse. En simples counts/s, une carte qui attend × 4096 bouge à peine&#x202f;; l’erreur inverse demande la pleine vitesse. Ne le changez que si une carte bouge à peine, et avec une petite limite de puissance.</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
-        <translation>La fiche technique et la bibliothèque du fabricant donnent des bits opposés à la polarité et aux fronts des entrées. La bibliothèque a plus probablement raison ; une expérience avec le bit d’état tranche.</translation>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <translation>La fiche technique et la bibliothèque du fabricant donnent des bits opposés à la polarité et aux fronts des entrées. La bibliothèque a plus probablement raison&#x202f;; une expérience avec le bit d’état tranche.</translation>
     </message>
     <message>
         <source>Power units (8191 is full power) that a raw gain of 1 gives. The maker does not tell; an experiment finds it.</source>
-        <translation>Unités de puissance (8191 est la pleine puissance) que donne un gain brut de 1. Le fabricant ne le dit pas ; une expérience le trouve.</translation>
+        <translation>Unités de puissance (8191 est la pleine puissance) que donne un gain brut de 1. Le fabricant ne le dit pas&#x202f;; une expérience le trouve.</translation>
     </message>
     <message>
         <source>velocity target</source>
@@ -12229,19 +12229,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Schéma : le cavalier relie AUX1 et AUX2 ; TX de l’adaptateur à RX de la carte, RX à TX, 3,3 V, GND</translation>
+        <translation>Schéma&#xa0;: le cavalier relie AUX1 et AUX2&#x202f;; TX de l’adaptateur à RX de la carte, RX à TX, 3,3 V, GND</translation>
     </message>
     <message>
         <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
-        <translation>Schéma : le cavalier entre AUX1 et AUX2 est retiré</translation>
+        <translation>Schéma&#xa0;: le cavalier entre AUX1 et AUX2 est retiré</translation>
     </message>
     <message>
         <source>open: nothing is connected, the pin is high</source>
-        <translation>ouverte : rien n’est raccordé, la broche est à l’état haut</translation>
+        <translation>ouverte&#xa0;: rien n’est raccordé, la broche est à l’état haut</translation>
     </message>
     <message>
         <source>connected to GND: the pin is low</source>
-        <translation>reliée à GND : la broche est à l’état bas</translation>
+        <translation>reliée à GND&#xa0;: la broche est à l’état bas</translation>
     </message>
     <message>
         <source>Find the gain scales</source>
@@ -12249,14 +12249,14 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The maker does not tell what a raw gain is worth. The motor of one axis is turned to and fro for one to two minutes, with the power that you allow here: first with constant power, then with one gain alone at a time, which grows until the motor moves. The shaft must turn freely, some turns each way, and nobody may touch it. Gains and limits are put back at the end.</source>
-        <translation>Le fabricant ne dit pas ce que vaut un gain brut. Le moteur d’un axe tourne en va-et-vient pendant une à deux minutes, à la puissance que vous autorisez ici : d’abord à puissance constante, puis avec un seul gain à la fois, qui augmente jusqu’à ce que le moteur bouge. L’arbre doit tourner librement, de quelques tours dans chaque sens, et personne ne doit le toucher. Gains et limites sont rétablis à la fin.</translation>
+        <translation>Le fabricant ne dit pas ce que vaut un gain brut. Le moteur d’un axe tourne en va-et-vient pendant une à deux minutes, à la puissance que vous autorisez ici&#xa0;: d’abord à puissance constante, puis avec un seul gain à la fois, qui augmente jusqu’à ce que le moteur bouge. L’arbre doit tourner librement, de quelques tours dans chaque sens, et personne ne doit le toucher. Gains et limites sont rétablis à la fin.</translation>
     </message>
     <message>
         <source>Find the input polarity</source>
         <translation>Trouver la polarité d’entrée</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
         <translation>La fiche technique et la bibliothèque du fabricant donnent des bits opposés à la polarité des entrées. L’entrée d’un axe est configurée avec les deux, et le bit d’état indique lequel est actif au niveau de la broche. Rien ne bouge, le compteur reste, et l’entrée est ensuite reconfigurée comme avant.</translation>
     </message>
     <message>
@@ -12277,7 +12277,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; the board gets 3.3 V only.</source>
-        <translation>Posez un cavalier sur AUX1 et AUX2. L’adaptateur série a des niveaux de 3,3 V, son TX va à RX et son RX à TX ; la carte ne reçoit que 3,3 V.</translation>
+        <translation>Posez un cavalier sur AUX1 et AUX2. L’adaptateur série a des niveaux de 3,3 V, son TX va à RX et son RX à TX&#x202f;; la carte ne reçoit que 3,3 V.</translation>
     </message>
     <message>
         <source>Reset the board</source>
@@ -12292,8 +12292,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Le bootloader se présente</translation>
     </message>
     <message>
-        <source>Its greeting on the serial port holds the word "bootloader".</source>
-        <translation>Son message d’accueil sur le port série contient le mot « bootloader ».</translation>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
+        <translation>Son message d’accueil sur le port série contient le mot «&#xa0;bootloader&#xa0;».</translation>
     </message>
     <message>
         <source>The file is sent</source>
@@ -12384,20 +12384,20 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>régler à l’extrémité négative</translation>
     </message>
     <message>
-        <source>Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
-        <translation>De la boucle de position, en unités propres à la carte, d’échelle non documentée. Relecture impossible ; les quatre sont envoyés ensemble.</translation>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <translation>De la boucle de position, en unités propres à la carte, d’échelle non documentée. Relecture impossible&#x202f;; les quatre sont envoyés ensemble.</translation>
     </message>
     <message>
-        <source>Bound of the position loop's integral, in power units: 8191 is full power. Cannot be read back.</source>
-        <translation>Borne de l’intégrale de la boucle de position, en unités de puissance : 8191 est la pleine puissance. Relecture impossible.</translation>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <translation>Borne de l’intégrale de la boucle de position, en unités de puissance&#xa0;: 8191 est la pleine puissance. Relecture impossible.</translation>
     </message>
     <message>
-        <source>Of the velocity loop, in the board's own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
-        <translation>De la boucle de vitesse, en unités propres à la carte, d’échelle non documentée. Relecture impossible ; les trois sont envoyés ensemble.</translation>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <translation>De la boucle de vitesse, en unités propres à la carte, d’échelle non documentée. Relecture impossible&#x202f;; les trois sont envoyés ensemble.</translation>
     </message>
     <message>
         <source>Greatest power in every mode, 1 is full. What the board starts with is not documented: begin small. Cannot be read back.</source>
-        <translation>Puissance maximale dans tous les modes, 1 est la pleine puissance. La valeur de démarrage de la carte n’est pas documentée : commencez petit. Relecture impossible.</translation>
+        <translation>Puissance maximale dans tous les modes, 1 est la pleine puissance. La valeur de démarrage de la carte n’est pas documentée&#xa0;: commencez petit. Relecture impossible.</translation>
     </message>
     <message>
         <source>Greatest speed in both closed loops. What the board starts with is not documented. Cannot be read back.</source>
@@ -12405,15 +12405,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Greatest acceleration in both closed loops; 0 is no limit. Cannot be read back.</source>
-        <translation>Accélération maximale dans les deux boucles fermées ; 0 est sans limite. Relecture impossible.</translation>
+        <translation>Accélération maximale dans les deux boucles fermées&#x202f;; 0 est sans limite. Relecture impossible.</translation>
     </message>
     <message>
         <source>What the input of the channel is for. Cannot be read back; the five values of an input are sent together.</source>
-        <translation>À quoi sert l’entrée de la voie. Relecture impossible ; les cinq valeurs d’une entrée sont envoyées ensemble.</translation>
+        <translation>À quoi sert l’entrée de la voie. Relecture impossible&#x202f;; les cinq valeurs d’une entrée sont envoyées ensemble.</translation>
     </message>
     <message>
-        <source>At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
-        <translation>À quel niveau l’entrée est active. La fiche technique et la bibliothèque du fabricant le disent avec des bits opposés : celui que suit la carte est un réglage de l’appareil, et une expérience tranche.</translation>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <translation>À quel niveau l’entrée est active. La fiche technique et la bibliothèque du fabricant le disent avec des bits opposés&#xa0;: celui que suit la carte est un réglage de l’appareil, et une expérience tranche.</translation>
     </message>
     <message>
         <source>At which end of the switch the position is recorded, or also set as the counter. Data sheet and library disagree, as for the polarity.</source>
@@ -12421,7 +12421,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Distance between the two ends of the switch; 0 is a single end stop. Cannot be read back.</source>
-        <translation>Distance entre les deux extrémités du contact ; 0 est une butée unique. Relecture impossible.</translation>
+        <translation>Distance entre les deux extrémités du contact&#x202f;; 0 est une butée unique. Relecture impossible.</translation>
     </message>
     <message>
         <source>What the counter becomes at the edge. Cannot be read back.</source>
@@ -12429,27 +12429,27 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>What the board sends of this channel: bits 0 and 1 size of the position, 2 relative, 3 velocity, 5 status. The program needs the full position.</source>
-        <translation>Ce que la carte envoie de cette voie : bits 0 et 1 taille de la position, 2 relatif, 3 vitesse, 5 état. Le programme a besoin de la position complète.</translation>
+        <translation>Ce que la carte envoie de cette voie&#xa0;: bits 0 et 1 taille de la position, 2 relatif, 3 vitesse, 5 état. Le programme a besoin de la position complète.</translation>
     </message>
     <message>
-        <source>The encoder's counter. Writing it moves the zero, not the motor.</source>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
         <translation>Le compteur du codeur. L’écrire déplace le zéro, pas le moteur.</translation>
     </message>
     <message>
         <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
-        <translation>De la télémétrie, en unités de 40,96 µs : 244 fait 10 ms, 49 fait 2 ms, 0 est l’arrêt.</translation>
+        <translation>De la télémétrie, en unités de 40,96 µs&#xa0;: 244 fait 10 ms, 49 fait 2 ms, 0 est l’arrêt.</translation>
     </message>
     <message>
         <source>What a stream packet has besides: bit 0 timing, bit 1 number of skipped periods.</source>
-        <translation>Ce qu’un paquet du flux contient en plus : bit 0 horodatage, bit 1 nombre de périodes sautées.</translation>
+        <translation>Ce qu’un paquet du flux contient en plus&#xa0;: bit 0 horodatage, bit 1 nombre de périodes sautées.</translation>
     </message>
     <message>
         <source>Edges, times four, over which velocity is measured: fewer is faster and coarser. 8 is good for tuning.</source>
-        <translation>Fronts, fois quatre, sur lesquels la vitesse est mesurée : moins est plus rapide et plus grossier. 8 convient au réglage.</translation>
+        <translation>Fronts, fois quatre, sur lesquels la vitesse est mesurée&#xa0;: moins est plus rapide et plus grossier. 8 convient au réglage.</translation>
     </message>
     <message>
         <source>Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.</source>
-        <translation>Temps maximal sur lequel la vitesse est mesurée : 2 à cette puissance, fois 0,64 µs ; 20 fait 671 ms.</translation>
+        <translation>Temps maximal sur lequel la vitesse est mesurée&#xa0;: 2 à cette puissance, fois 0,64 µs&#x202f;; 20 fait 671 ms.</translation>
     </message>
     <message>
         <source>Position P</source>
@@ -12493,23 +12493,23 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Input mode</source>
-        <translation>Entrée : mode</translation>
+        <translation>Entrée&#xa0;: mode</translation>
     </message>
     <message>
         <source>Input polarity</source>
-        <translation>Entrée : polarité</translation>
+        <translation>Entrée&#xa0;: polarité</translation>
     </message>
     <message>
         <source>Input edge</source>
-        <translation>Entrée : front</translation>
+        <translation>Entrée&#xa0;: front</translation>
     </message>
     <message>
         <source>Input spacing</source>
-        <translation>Entrée : écart</translation>
+        <translation>Entrée&#xa0;: écart</translation>
     </message>
     <message>
         <source>Input position</source>
-        <translation>Entrée : position</translation>
+        <translation>Entrée&#xa0;: position</translation>
     </message>
     <message>
         <source>Data mask</source>
@@ -12572,8 +12572,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>avrdude ne connaît aucun programmateur de ce nom</translation>
     </message>
     <message>
-        <source>'avrdude -c ?' lists them</source>
-        <translation>« avrdude -c ? » les énumère</translation>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
+        <translation>«&#xa0;avrdude -c ?&#xa0;» les énumère</translation>
     </message>
     <message>
         <source>the port may not be opened</source>
@@ -12669,71 +12669,71 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>I2C: nobody answers</source>
-        <translation>I2C : personne ne répond</translation>
+        <translation>I2C&#xa0;: personne ne répond</translation>
     </message>
     <message>
         <source>I2C: bus error</source>
-        <translation>I2C : erreur de bus</translation>
+        <translation>I2C&#xa0;: erreur de bus</translation>
     </message>
     <message>
         <source>I2C: arbitration lost</source>
-        <translation>I2C : arbitrage perdu</translation>
+        <translation>I2C&#xa0;: arbitrage perdu</translation>
     </message>
     <message>
         <source>I2C: indeterminate state</source>
-        <translation>I2C : état indéterminé</translation>
+        <translation>I2C&#xa0;: état indéterminé</translation>
     </message>
     <message>
         <source>I2C: the bus did not become ready</source>
-        <translation>I2C : le bus n’est pas devenu prêt</translation>
+        <translation>I2C&#xa0;: le bus n’est pas devenu prêt</translation>
     </message>
     <message>
         <source>I2C: sending took too long</source>
-        <translation>I2C : l’envoi a pris trop de temps</translation>
+        <translation>I2C&#xa0;: l’envoi a pris trop de temps</translation>
     </message>
     <message>
         <source>I2C: receiving took too long</source>
-        <translation>I2C : la réception a pris trop de temps</translation>
+        <translation>I2C&#xa0;: la réception a pris trop de temps</translation>
     </message>
     <message>
         <source>I2C: a packet was overwritten</source>
-        <translation>I2C : un paquet a été écrasé</translation>
+        <translation>I2C&#xa0;: un paquet a été écrasé</translation>
     </message>
     <message>
         <source>I2C: a packet of wrong length</source>
-        <translation>I2C : un paquet de longueur incorrecte</translation>
+        <translation>I2C&#xa0;: un paquet de longueur incorrecte</translation>
     </message>
     <message>
         <source>UART: out of memory</source>
-        <translation>UART : mémoire insuffisante</translation>
+        <translation>UART&#xa0;: mémoire insuffisante</translation>
     </message>
     <message>
         <source>UART: framing error</source>
-        <translation>UART : erreur de trame</translation>
+        <translation>UART&#xa0;: erreur de trame</translation>
     </message>
     <message>
         <source>UART: parity error</source>
-        <translation>UART : erreur de parité</translation>
+        <translation>UART&#xa0;: erreur de parité</translation>
     </message>
     <message>
         <source>UART: receive buffer overflow</source>
-        <translation>UART : débordement du tampon de réception</translation>
+        <translation>UART&#xa0;: débordement du tampon de réception</translation>
     </message>
     <message>
         <source>UART: data overrun (the datasheet means a framing error)</source>
-        <translation>UART : perte de données (la fiche technique veut dire erreur de trame)</translation>
+        <translation>UART&#xa0;: perte de données (la fiche technique veut dire erreur de trame)</translation>
     </message>
     <message>
         <source>UART: sending took too long (the datasheet means a parity error)</source>
-        <translation>UART : l’envoi a pris trop de temps (la fiche technique veut dire erreur de parité)</translation>
+        <translation>UART&#xa0;: l’envoi a pris trop de temps (la fiche technique veut dire erreur de parité)</translation>
     </message>
     <message>
-        <source>UART: receive buffer overflow, by the datasheet's number</source>
-        <translation>UART : débordement du tampon de réception, selon le numéro de la fiche technique</translation>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
+        <translation>UART&#xa0;: débordement du tampon de réception, selon le numéro de la fiche technique</translation>
     </message>
     <message>
-        <source>UART: data overrun, by the datasheet's number</source>
-        <translation>UART : perte de données, selon le numéro de la fiche technique</translation>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
+        <translation>UART&#xa0;: perte de données, selon le numéro de la fiche technique</translation>
     </message>
     <message>
         <source>a frame paused for more than 50 ms</source>
@@ -12745,7 +12745,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>D1 and D2: what one count of the current converter stands for; D3 tells ampere.</source>
-        <translation>D1 et D2 : ce que vaut un count du convertisseur de courant ; D3 donne des ampères.</translation>
+        <translation>D1 et D2&#xa0;: ce que vaut un count du convertisseur de courant&#x202f;; D3 donne des ampères.</translation>
     </message>
     <message>
         <source>serial bootloader</source>
@@ -12777,15 +12777,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>D1, D2: 1/65280 of full output per count of error; 4000 is full output at 16 counts. The scale of D3 is not documented.</source>
-        <translation>D1, D2 : 1/65280 de la pleine sortie par count d’erreur ; 4000 est la pleine sortie à 16 counts. L’échelle de D3 n’est pas documentée.</translation>
+        <translation>D1, D2&#xa0;: 1/65280 de la pleine sortie par count d’erreur&#x202f;; 4000 est la pleine sortie à 16 counts. L’échelle de D3 n’est pas documentée.</translation>
     </message>
     <message>
         <source>D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.</source>
-        <translation>D1, D2 : 1/16711680 de la pleine sortie par count d’erreur et cycle de 1,024 ms. La borne de l’intégrale ne suit P qu’au prochain redémarrage.</translation>
+        <translation>D1, D2&#xa0;: 1/16711680 de la pleine sortie par count d’erreur et cycle de 1,024 ms. La borne de l’intégrale ne suit P qu’au prochain redémarrage.</translation>
     </message>
     <message>
         <source>D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.</source>
-        <translation>D1, D2 : 1/65280 de la pleine sortie par count de variation de l’erreur en un cycle de 1,024 ms.</translation>
+        <translation>D1, D2&#xa0;: 1/65280 de la pleine sortie par count de variation de l’erreur en un cycle de 1,024 ms.</translation>
     </message>
     <message>
         <source>Acceleration</source>
@@ -12793,11 +12793,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Of profiled moves. D1: at most 65535.</source>
-        <translation>Des mouvements avec profil. D1 : 65535 au plus.</translation>
+        <translation>Des mouvements avec profil. D1&#xa0;: 65535 au plus.</translation>
     </message>
     <message>
         <source>Of profiled moves. D1: at most 65535. D1 and D2 may pass their target above 2500, and compute wrongly from 46340 on.</source>
-        <translation>Des mouvements avec profil. D1 : 65535 au plus. D1 et D2 peuvent dépasser leur cible au-dessus de 2500, et calculent faux à partir de 46340.</translation>
+        <translation>Des mouvements avec profil. D1&#xa0;: 65535 au plus. D1 et D2 peuvent dépasser leur cible au-dessus de 2500, et calculent faux à partir de 46340.</translation>
     </message>
     <message>
         <source>Firmware of D1 and D2 stores it and does not limit anything.</source>
@@ -12809,7 +12809,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>In force after a restart. D1 and D2 take it for the current limit until then; the limit is therefore written again behind it.</source>
-        <translation>Effectif après un redémarrage. D1 et D2 le prennent jusque-là pour la limite de courant ; la limite est donc réécrite ensuite.</translation>
+        <translation>Effectif après un redémarrage. D1 et D2 le prennent jusque-là pour la limite de courant&#x202f;; la limite est donc réécrite ensuite.</translation>
     </message>
     <message>
         <source>Outputs among the lines</source>
@@ -12817,7 +12817,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>1, 2, 4, 8 for DIO1 to DIO4; a set bit makes an output. DIO1 and DIO3 low for 3 s start the analog programming of the device, DIO2 and DIO4 low restore its factory settings.</source>
-        <translation>1, 2, 4, 8 pour DIO1 à DIO4 ; un bit à 1 fait une sortie. DIO1 et DIO3 à l’état bas pendant 3 s lancent la programmation analogique de l’appareil, DIO2 et DIO4 à l’état bas rétablissent ses réglages d’usine.</translation>
+        <translation>1, 2, 4, 8 pour DIO1 à DIO4&#x202f;; un bit à 1 fait une sortie. DIO1 et DIO3 à l’état bas pendant 3 s lancent la programmation analogique de l’appareil, DIO2 et DIO4 à l’état bas rétablissent ses réglages d’usine.</translation>
     </message>
     <message>
         <source>Levels of the outputs</source>
@@ -12825,7 +12825,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Bits as for the directions; inputs ignore theirs. Cannot be read back and is lost at power-off.</source>
-        <translation>Bits comme pour les sens ; les entrées ignorent les leurs. Relecture impossible, perdu à la mise hors tension.</translation>
+        <translation>Bits comme pour les sens&#x202f;; les entrées ignorent les leurs. Relecture impossible, perdu à la mise hors tension.</translation>
     </message>
     <message>
         <source>Node id</source>
@@ -12833,7 +12833,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Its address on the line. In force after a restart; until then it answers under the old one.</source>
-        <translation>Son adresse sur la ligne. Effective après un redémarrage ; jusque-là, il répond sous l’ancienne.</translation>
+        <translation>Son adresse sur la ligne. Effective après un redémarrage&#x202f;; jusque-là, il répond sous l’ancienne.</translation>
     </message>
     <message>
         <source>Acceptance mask</source>
@@ -12841,7 +12841,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Bits of an address that count. 255: only its own; less makes a group that acts on what is sent to any of its members, and on their answers. In force after a restart.</source>
-        <translation>Bits d’adresse pris en compte. 255 : seulement la sienne ; moins forme un groupe qui exécute ce qui est envoyé à l’un de ses membres, et réagit à leurs réponses. Effectif après un redémarrage.</translation>
+        <translation>Bits d’adresse pris en compte. 255&#xa0;: seulement la sienne&#x202f;; moins forme un groupe qui exécute ce qui est envoyé à l’un de ses membres, et réagit à leurs réponses. Effectif après un redémarrage.</translation>
     </message>
     <message>
         <source>Bit rate</source>
@@ -12849,7 +12849,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>In force after a restart. Reads as the rate at which it answers. 115200 is really 119048: prefer 57600.</source>
-        <translation>Effectif après un redémarrage. Se lit comme le débit auquel il répond. 115200 est en réalité 119048 : préférez 57600.</translation>
+        <translation>Effectif après un redémarrage. Se lit comme le débit auquel il répond. 115200 est en réalité 119048&#xa0;: préférez 57600.</translation>
     </message>
     <message>
         <source>Error level</source>
@@ -12857,7 +12857,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>D1 and D2. Level 1 would make every reading fail, so only 0 is offered: write it where another program set 1.</source>
-        <translation>D1 et D2. Le niveau 1 ferait échouer chaque lecture, donc seul 0 est proposé : écrivez-le là où un autre programme a mis 1.</translation>
+        <translation>D1 et D2. Le niveau 1 ferait échouer chaque lecture, donc seul 0 est proposé&#xa0;: écrivez-le là où un autre programme a mis 1.</translation>
     </message>
     <message>
         <source>Reactions to errors</source>
@@ -12865,7 +12865,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>D3. Two bits for each of 20 errors, the first lowest: 0 nothing, 1 stop, 2 halt. Which error is which is not documented.</source>
-        <translation>D3. Deux bits pour chacune des 20 erreurs, la première en bas : 0 rien, 1 arrêt, 2 halte. La correspondance des erreurs n’est pas documentée.</translation>
+        <translation>D3. Deux bits pour chacune des 20 erreurs, la première en bas&#xa0;: 0 rien, 1 arrêt, 2 halte. La correspondance des erreurs n’est pas documentée.</translation>
     </message>
     <message>
         <source>Anti-windup</source>
@@ -12873,7 +12873,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>D3. Bound of the integral; its scale is not documented.</source>
-        <translation>D3. Borne de l’intégrale ; son échelle n’est pas documentée.</translation>
+        <translation>D3. Borne de l’intégrale&#x202f;; son échelle n’est pas documentée.</translation>
     </message>
     <message>
         <source>Digital input 1</source>
@@ -12961,11 +12961,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 becomes %2, it was %3: the device stores it</source>
-        <translation>%1 devient %2, au lieu de %3 : l’appareil le mémorise</translation>
+        <translation>%1 devient %2, au lieu de %3&#xa0;: l’appareil le mémorise</translation>
     </message>
     <message>
         <source>%1 becomes %2: the device stores it</source>
-        <translation>%1 devient %2 : l’appareil le mémorise</translation>
+        <translation>%1 devient %2&#xa0;: l’appareil le mémorise</translation>
     </message>
     <message>
         <source>%1 begins no line of such a log</source>
@@ -12989,11 +12989,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot be made: %2</source>
-        <translation>impossible de créer %1 : %2</translation>
+        <translation>impossible de créer %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be opened: %2</source>
-        <translation>impossible d’ouvrir %1 : %2</translation>
+        <translation>impossible d’ouvrir %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be painted</source>
@@ -13009,7 +13009,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot be read: %2</source>
-        <translation>impossible de lire %1 : %2</translation>
+        <translation>impossible de lire %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be restarted from here</source>
@@ -13017,7 +13017,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot be started: %2</source>
-        <translation>impossible de démarrer %1 : %2</translation>
+        <translation>impossible de démarrer %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be written</source>
@@ -13025,7 +13025,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation>impossible d’écrire %1 : %2</translation>
+        <translation>impossible d’écrire %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot do %2 bit/s</source>
@@ -13033,11 +13033,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot do %2 bit/s: %3</source>
-        <translation>%1 ne prend pas en charge %2 bit/s : %3</translation>
+        <translation>%1 ne prend pas en charge %2 bit/s&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot do %2: %3</source>
-        <translation>%1 ne prend pas en charge %2 : %3</translation>
+        <translation>%1 ne prend pas en charge %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot do SPI mode 1 at this speed</source>
@@ -13045,7 +13045,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 cannot take old samples: %2</source>
-        <translation>%1 ne peut pas recevoir d’anciens échantillons : %2</translation>
+        <translation>%1 ne peut pas recevoir d’anciens échantillons&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 could not be measured</source>
@@ -13069,15 +13069,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 does not answer: %2</source>
-        <translation>%1 ne répond pas : %2</translation>
+        <translation>%1 ne répond pas&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 does not exist in this device's dialect</source>
+        <source>%1 does not exist in this device&apos;s dialect</source>
         <translation>%1 n’existe pas dans le dialecte de cet appareil</translation>
     </message>
     <message>
         <source>%1 does not open: its driver has not answered for %2 s</source>
-        <translation>%1 ne s’ouvre pas : son pilote n’a pas répondu depuis %2 s</translation>
+        <translation>%1 ne s’ouvre pas&#xa0;: son pilote n’a pas répondu depuis %2 s</translation>
     </message>
     <message>
         <source>%1 does not tell its position</source>
@@ -13093,7 +13093,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 failed: %2</source>
-        <translation>%1 a échoué : %2</translation>
+        <translation>%1 a échoué&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 frames recorded, %2 are missing</source>
@@ -13124,8 +13124,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>%1 n’a pas de %2</translation>
     </message>
     <message>
-        <source>%1 has no '%2' to be set</source>
-        <translation>%1 n’a pas de « %2 » réglable</translation>
+        <source>%1 has no &apos;%2&apos; to be set</source>
+        <translation>%1 n’a pas de «&#xa0;%2&#xa0;» réglable</translation>
     </message>
     <message>
         <source>%1 has no buffered moves</source>
@@ -13140,16 +13140,16 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>%1 n’a pas de commande qui remet sa position à zéro</translation>
     </message>
     <message>
-        <source>%1 has no dialect '%2'</source>
-        <translation>%1 n’a pas de dialecte « %2 »</translation>
+        <source>%1 has no dialect &apos;%2&apos;</source>
+        <translation>%1 n’a pas de dialecte «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 has no duty command</source>
         <translation>%1 n’a pas de commande de rapport cyclique</translation>
     </message>
     <message>
-        <source>%1 has no duty command, so '%2' is not measured</source>
-        <translation>%1 n’a pas de commande de rapport cyclique, « %2 » n’est donc pas mesuré</translation>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
+        <translation>%1 n’a pas de commande de rapport cyclique, «&#xa0;%2&#xa0;» n’est donc pas mesuré</translation>
     </message>
     <message>
         <source>%1 has no firmware update here</source>
@@ -13164,12 +13164,12 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>%1 ne contient aucune trame de %2</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tried</source>
-        <translation>%1 n’a pas de boucle « %2 » à essayer</translation>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
+        <translation>%1 n’a pas de boucle «&#xa0;%2&#xa0;» à essayer</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tuned</source>
-        <translation>%1 n’a pas de boucle « %2 » réglable</translation>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
+        <translation>%1 n’a pas de boucle «&#xa0;%2&#xa0;» réglable</translation>
     </message>
     <message>
         <source>%1 has no loop that can be tried</source>
@@ -13180,8 +13180,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>%1 n’a pas de numéro réglable</translation>
     </message>
     <message>
-        <source>%1 has no option '%2'</source>
-        <translation>%1 n’a pas d’option « %2 »</translation>
+        <source>%1 has no option &apos;%2&apos;</source>
+        <translation>%1 n’a pas d’option «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 has no samples</source>
@@ -13237,11 +13237,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 is a recording: it can be watched, not written to or driven</source>
-        <translation>%1 est un enregistrement : il peut être observé, mais ni écrit ni piloté</translation>
+        <translation>%1 est un enregistrement&#xa0;: il peut être observé, mais ni écrit ni piloté</translation>
     </message>
     <message>
         <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 est un enregistrement : son contenu peut être observé, pas piloté</translation>
+        <translation>%1 est un enregistrement&#xa0;: son contenu peut être observé, pas piloté</translation>
     </message>
     <message>
         <source>%1 is back</source>
@@ -13261,7 +13261,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 is busy: it serves one client at a time</source>
-        <translation>%1 est occupé : il ne sert qu’un client à la fois</translation>
+        <translation>%1 est occupé&#xa0;: il ne sert qu’un client à la fois</translation>
     </message>
     <message>
         <source>%1 is damaged and cannot be put aside</source>
@@ -13289,7 +13289,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 is lost: %2; waiting up to %3 for it to come back</source>
-        <translation>%1 est perdu : %2 ; attente de son retour jusqu’à %3</translation>
+        <translation>%1 est perdu&#xa0;: %2&#x202f;; attente de son retour jusqu’à %3</translation>
     </message>
     <message>
         <source>%1 is missing</source>
@@ -13317,7 +13317,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 is no list of devices and is ignored: the next scan takes its full time and writes it anew</source>
-        <translation>%1 n’est pas une liste d’appareils et est ignoré : la prochaine recherche prendra toute sa durée et l’écrira à nouveau</translation>
+        <translation>%1 n’est pas une liste d’appareils et est ignoré&#xa0;: la prochaine recherche prendra toute sa durée et l’écrira à nouveau</translation>
     </message>
     <message>
         <source>%1 is no project of this version</source>
@@ -13401,7 +13401,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 lines, %2 bytes; the file does not name its version</source>
-        <translation>%1 lignes, %2 octets ; le fichier n’indique pas sa version</translation>
+        <translation>%1 lignes, %2 octets&#x202f;; le fichier n’indique pas sa version</translation>
     </message>
     <message>
         <source>%1 links are not supported yet</source>
@@ -13413,15 +13413,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 of %2 lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update again</source>
-        <translation>%1 lignes sur %2 ont été confirmées. Le bootloader attend toujours : laissez le cavalier en place et relancez la mise à jour</translation>
+        <translation>%1 lignes sur %2 ont été confirmées. Le bootloader attend toujours&#xa0;: laissez le cavalier en place et relancez la mise à jour</translation>
     </message>
     <message>
         <source>%1 of %2 settings were written again; %3: %4</source>
-        <translation>%1 réglages sur %2 ont été réécrits ; %3 : %4</translation>
+        <translation>%1 réglages sur %2 ont été réécrits&#x202f;; %3&#xa0;: %4</translation>
     </message>
     <message>
         <source>%1 of %2 settings were written again; then the board was reset once more</source>
-        <translation>%1 réglages sur %2 ont été réécrits ; puis la carte a de nouveau été réinitialisée</translation>
+        <translation>%1 réglages sur %2 ont été réécrits&#x202f;; puis la carte a de nouveau été réinitialisée</translation>
     </message>
     <message>
         <source>%1 of the recipe read back different, first %2</source>
@@ -13453,11 +13453,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 takes no frames: %2 wait to be sent</source>
-        <translation>%1 n’accepte pas de trames : %2 attendent l’envoi</translation>
+        <translation>%1 n’accepte pas de trames&#xa0;: %2 attendent l’envoi</translation>
     </message>
     <message>
         <source>%1 to number %2: %3</source>
-        <translation>%1 au numéro %2 : %3</translation>
+        <translation>%1 au numéro %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 transmit and %2 receive errors</source>
@@ -13469,11 +13469,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 values are not what they were left as; the history has both</source>
-        <translation>%1 valeurs ne sont plus telles qu’elles avaient été laissées ; l’historique a les deux</translation>
+        <translation>%1 valeurs ne sont plus telles qu’elles avaient été laissées&#x202f;; l’historique a les deux</translation>
     </message>
     <message>
         <source>%1 was %2 and is not known to be cleared</source>
-        <translation>%1 valait %2 ; son effacement n’est pas établi</translation>
+        <translation>%1 valait %2&#x202f;; son effacement n’est pas établi</translation>
     </message>
     <message>
         <source>%1 was changed while it was played</source>
@@ -13489,7 +13489,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 was made by a newer version of this program (schema %2, known here is %3)</source>
-        <translation>%1 provient d’une version plus récente de ce programme (schéma %2, connu ici : %3)</translation>
+        <translation>%1 provient d’une version plus récente de ce programme (schéma %2, connu ici&#xa0;: %3)</translation>
     </message>
     <message>
         <source>%1 was not confirmed</source>
@@ -13497,11 +13497,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 was refused: %2</source>
-        <translation>%1 a été refusé : %2</translation>
+        <translation>%1 a été refusé&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 was stopped: %2, %3</source>
-        <translation>%1 a été arrêté : %2, %3</translation>
+        <translation>%1 a été arrêté&#xa0;: %2, %3</translation>
     </message>
     <message>
         <source>%1 was switched off</source>
@@ -13521,7 +13521,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 where a record begins with a colon, is this an Intel HEX file?</source>
-        <translation>%1 là où un enregistrement commence par un deux-points : est-ce un fichier Intel HEX ?</translation>
+        <translation>%1 là où un enregistrement commence par un deux-points&#xa0;: est-ce un fichier Intel HEX&#x202f;?</translation>
     </message>
     <message>
         <source>%1 with %2 transmit and %3 receive errors</source>
@@ -13541,11 +13541,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1 written; %2 of them cannot be read back</source>
-        <translation>%1 écrits ; relecture impossible pour %2 d’entre eux</translation>
+        <translation>%1 écrits&#x202f;; relecture impossible pour %2 d’entre eux</translation>
     </message>
     <message>
         <source>%1 written; they cannot be read back</source>
-        <translation>%1 écrits ; relecture impossible</translation>
+        <translation>%1 écrits&#x202f;; relecture impossible</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -13557,7 +13557,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1, line %2: %3</source>
-        <translation>%1, ligne %2 : %3</translation>
+        <translation>%1, ligne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1, more than half a step from its target</source>
@@ -13569,175 +13569,175 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2 -&gt; %3</source>
-        <translation>%1 : %2 -&gt; %3</translation>
+        <translation>%1&#xa0;: %2 -&gt; %3</translation>
     </message>
     <message>
         <source>%1: %2 is above %3</source>
-        <translation>%1 : %2 est supérieur à %3</translation>
+        <translation>%1&#xa0;: %2 est supérieur à %3</translation>
     </message>
     <message>
         <source>%1: %2 is below %3</source>
-        <translation>%1 : %2 est inférieur à %3</translation>
+        <translation>%1&#xa0;: %2 est inférieur à %3</translation>
     </message>
     <message>
         <source>%1: %2 is not a whole number</source>
-        <translation>%1 : %2 n’est pas un nombre entier</translation>
+        <translation>%1&#xa0;: %2 n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>%1: %2 of %3 ms is finer than the device follows, which takes a set-point every %4 ms</source>
-        <translation>%1 : %2 de %3 ms est plus fin que ce que suit l’appareil, qui prend une consigne toutes les %4 ms</translation>
+        <translation>%1&#xa0;: %2 de %3 ms est plus fin que ce que suit l’appareil, qui prend une consigne toutes les %4 ms</translation>
     </message>
     <message>
-        <source>%1: '%2' is neither on nor off</source>
-        <translation>%1 : « %2 » n’est ni on ni off</translation>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» n’est ni on ni off</translation>
     </message>
     <message>
-        <source>%1: '%2' is not a number</source>
-        <translation>%1 : « %2 » n’est pas un nombre</translation>
+        <source>%1: &apos;%2&apos; is not a number</source>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
         <source>%1: cannot be read (system error %2)</source>
-        <translation>%1 : lecture impossible (erreur système %2)</translation>
+        <translation>%1&#xa0;: lecture impossible (erreur système %2)</translation>
     </message>
     <message>
         <source>%1: its value is of the wrong kind</source>
-        <translation>%1 : sa valeur est du mauvais type</translation>
+        <translation>%1&#xa0;: sa valeur est du mauvais type</translation>
     </message>
     <message>
         <source>%1: its value says %2, its raw value %3</source>
-        <translation>%1 : sa valeur dit %2, sa valeur brute %3</translation>
+        <translation>%1&#xa0;: sa valeur dit %2, sa valeur brute %3</translation>
     </message>
     <message>
         <source>%1: legal is %2</source>
-        <translation>%1 : valeurs admises %2</translation>
+        <translation>%1&#xa0;: valeurs admises %2</translation>
     </message>
     <message>
         <source>%1: legal is %2 … %3</source>
-        <translation>%1 : valeurs admises %2 … %3</translation>
+        <translation>%1&#xa0;: valeurs admises %2 … %3</translation>
     </message>
     <message>
         <source>%1: no permission to read it</source>
-        <translation>%1 : pas d’autorisation de lecture</translation>
+        <translation>%1&#xa0;: pas d’autorisation de lecture</translation>
     </message>
     <message>
         <source>%1: no such file</source>
-        <translation>%1 : fichier introuvable</translation>
+        <translation>%1&#xa0;: fichier introuvable</translation>
     </message>
     <message>
         <source>%1: not a number</source>
-        <translation>%1 : pas un nombre</translation>
+        <translation>%1&#xa0;: pas un nombre</translation>
     </message>
     <message>
         <source>%1: raw is not a whole number</source>
-        <translation>%1 : raw n’est pas un nombre entier</translation>
+        <translation>%1&#xa0;: raw n’est pas un nombre entier</translation>
     </message>
     <message>
         <source>%1: raw value %2 is out of range</source>
-        <translation>%1 : la valeur brute %2 est hors plage</translation>
+        <translation>%1&#xa0;: la valeur brute %2 est hors plage</translation>
     </message>
     <message>
         <source>%1: status %2 has no meaning</source>
-        <translation>%1 : l’état %2 n’a pas de signification</translation>
+        <translation>%1&#xa0;: l’état %2 n’a pas de signification</translation>
     </message>
     <message>
-        <source>%1: the device answers '%2'</source>
-        <translation>%1 : l’appareil répond « %2 »</translation>
+        <source>%1: the device answers &apos;%2&apos;</source>
+        <translation>%1&#xa0;: l’appareil répond «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1: the device refused the value</source>
-        <translation>%1 : l’appareil a refusé la valeur</translation>
+        <translation>%1&#xa0;: l’appareil a refusé la valeur</translation>
     </message>
     <message>
         <source>%1: this firmware does not know the parameter</source>
-        <translation>%1 : ce firmware ne connaît pas le paramètre</translation>
+        <translation>%1&#xa0;: ce firmware ne connaît pas le paramètre</translation>
     </message>
     <message>
         <source>%1; %2</source>
-        <translation>%1 ; %2</translation>
+        <translation>%1&#x202f;; %2</translation>
     </message>
     <message>
-        <source>'%1' is no journal that stations share</source>
-        <translation>« %1 » n’est pas un registre partagé par des postes</translation>
+        <source>&apos;%1&apos; is no journal that stations share</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un registre partagé par des postes</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
-        <translation>« %1 » n’est pas un nombre</translation>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
     </message>
     <message>
-        <source>'%1' is no path of a socket: it has 1 to 107 characters</source>
-        <translation>« %1 » n’est pas un chemin de socket : il a de 1 à 107 caractères</translation>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un chemin de socket&#xa0;: il a de 1 à 107 caractères</translation>
     </message>
     <message>
-        <source>'%1' is no time in seconds</source>
-        <translation>« %1 » n’est pas une durée en secondes</translation>
+        <source>&apos;%1&apos; is no time in seconds</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une durée en secondes</translation>
     </message>
     <message>
-        <source>'%1' is no value for the option '%2' of %3</source>
-        <translation>« %1 » n’est pas une valeur pour l’option « %2 » de %3</translation>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une valeur pour l’option «&#xa0;%2&#xa0;» de %3</translation>
     </message>
     <message>
-        <source>'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
-        <translation>« %1 » n’est pas un appareil : il faut LIAISON/FAMILLE:ADRESSE, par exemple sim:can/dmc60c:5</translation>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un appareil&#xa0;: il faut LIAISON/FAMILLE:ADRESSE, par exemple sim:can/dmc60c:5</translation>
     </message>
     <message>
-        <source>'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
-        <translation>« %1 » n’est pas une liaison : il faut SCHEME:PATH, par exemple socketcan:can0 ou sim:</translation>
+        <source>&apos;%1&apos; is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une liaison&#xa0;: il faut SCHEME:PATH, par exemple socketcan:can0 ou sim:</translation>
     </message>
     <message>
-        <source>'%1' is not a simulated device: %2</source>
-        <translation>« %1 » n’est pas un appareil simulé : %2</translation>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un appareil simulé&#xa0;: %2</translation>
     </message>
     <message>
-        <source>'%1' is not qtcan:PLUGIN:INTERFACE</source>
-        <translation>« %1 » n’est pas qtcan:PLUGIN:INTERFACE</translation>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas qtcan:PLUGIN:INTERFACE</translation>
     </message>
     <message>
-        <source>'%1' must be a number</source>
-        <translation>« %1 » doit être un nombre</translation>
+        <source>&apos;%1&apos; must be a number</source>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre</translation>
     </message>
     <message>
-        <source>'%1' must be a text</source>
-        <translation>« %1 » doit être un texte</translation>
+        <source>&apos;%1&apos; must be a text</source>
+        <translation>«&#xa0;%1&#xa0;» doit être un texte</translation>
     </message>
     <message>
-        <source>'%1' must be a whole number</source>
-        <translation>« %1 » doit être un nombre entier</translation>
+        <source>&apos;%1&apos; must be a whole number</source>
+        <translation>«&#xa0;%1&#xa0;» doit être un nombre entier</translation>
     </message>
     <message>
         <source>a name has no line break, tabulator or other control character</source>
         <translation>un nom n’a ni saut de ligne, ni tabulation, ni autre caractère de contrôle</translation>
     </message>
     <message>
-        <source>'%1' must be an object in braces</source>
-        <translation>« %1 » doit être un objet entre accolades</translation>
+        <source>&apos;%1&apos; must be an object in braces</source>
+        <translation>«&#xa0;%1&#xa0;» doit être un objet entre accolades</translation>
     </message>
     <message>
-        <source>'%1' names no interface</source>
-        <translation>« %1 » ne nomme aucune interface</translation>
+        <source>&apos;%1&apos; names no interface</source>
+        <translation>«&#xa0;%1&#xa0;» ne nomme aucune interface</translation>
     </message>
     <message>
-        <source>'encoder' is true: it counts both ways</source>
-        <translation>« encoder » est true : il compte dans les deux sens</translation>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
+        <translation>«&#xa0;encoder&#xa0;» est true&#xa0;: il compte dans les deux sens</translation>
     </message>
     <message>
-        <source>'motorbenchctl snapshots' lists those there are</source>
-        <translation>« motorbenchctl snapshots » énumère ceux qui existent</translation>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
+        <translation>«&#xa0;motorbenchctl snapshots&#xa0;» énumère ceux qui existent</translation>
     </message>
     <message>
-        <source>'motorbenchctl trials' lists those there are</source>
-        <translation>« motorbenchctl trials » énumère ceux qui existent</translation>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
+        <translation>«&#xa0;motorbenchctl trials&#xa0;» énumère ceux qui existent</translation>
     </message>
     <message>
-        <source>'store' must be true or false</source>
-        <translation>« store » doit être true ou false</translation>
+        <source>&apos;store&apos; must be true or false</source>
+        <translation>«&#xa0;store&#xa0;» doit être true ou false</translation>
     </message>
     <message>
-        <source>'to' is missing</source>
-        <translation>« to » manque</translation>
+        <source>&apos;to&apos; is missing</source>
+        <translation>«&#xa0;to&#xa0;» manque</translation>
     </message>
     <message>
         <source>--font-scale takes 0.5 to 3</source>
@@ -13748,16 +13748,16 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>--language accepte l’une de ces valeurs : %1</translation>
     </message>
     <message>
-        <source>--out '%1' is no picture</source>
-        <translation>--out « %1 » n’est pas une image</translation>
+        <source>--out &apos;%1&apos; is no picture</source>
+        <translation>--out «&#xa0;%1&#xa0;» n’est pas une image</translation>
     </message>
     <message>
         <source>%1 is no report</source>
         <translation>%1 n’est pas un rapport</translation>
     </message>
     <message>
-        <source>--out '%1' is no PDF</source>
-        <translation>--out « %1 » n’est pas un PDF</translation>
+        <source>--out &apos;%1&apos; is no PDF</source>
+        <translation>--out «&#xa0;%1&#xa0;» n’est pas un PDF</translation>
     </message>
     <message>
         <source>--help tells what there is</source>
@@ -13776,20 +13776,20 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>--target manque</translation>
     </message>
     <message>
-        <source>--target: '%1' is unknown</source>
-        <translation>--target : « %1 » est inconnu</translation>
+        <source>--target: &apos;%1&apos; is unknown</source>
+        <translation>--target&#xa0;: «&#xa0;%1&#xa0;» est inconnu</translation>
     </message>
     <message>
         <source>--tour needs a folder for its pictures</source>
         <translation>--tour demande un dossier pour ses images</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into a Supermodified</source>
-        <translation>--via : « %1 » n’est pas un accès à un Supermodified</translation>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
+        <translation>--via&#xa0;: «&#xa0;%1&#xa0;» n’est pas un accès à un Supermodified</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into an Abstract DC Drive</source>
-        <translation>--via : « %1 » n’est pas un accès à un Abstract DC Drive</translation>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
+        <translation>--via&#xa0;: «&#xa0;%1&#xa0;» n’est pas un accès à un Abstract DC Drive</translation>
     </message>
     <message>
         <source>0 is no divisor</source>
@@ -13801,7 +13801,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>A programmer on the pins erases the chip first, the stored settings and the serial bootloader with it: save the parameters before. The bootloader keeps both.</source>
-        <translation>Un programmateur sur les broches efface d’abord la puce, avec elle les réglages mémorisés et le bootloader série : sauvegardez les paramètres avant. Le bootloader conserve les deux.</translation>
+        <translation>Un programmateur sur les broches efface d’abord la puce, avec elle les réglages mémorisés et le bootloader série&#xa0;: sauvegardez les paramètres avant. Le bootloader conserve les deux.</translation>
     </message>
     <message>
         <source>Abstract DC Drives are found on CAN links only</source>
@@ -13809,7 +13809,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Abstract DC Drives found: %1</source>
-        <translation>Abstract DC Drives trouvés : %1</translation>
+        <translation>Abstract DC Drives trouvés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Abstract DC Drives live on CAN links only</source>
@@ -13865,11 +13865,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>CAN sockets cannot be opened: %1</source>
-        <translation>impossible d’ouvrir les sockets CAN : %1</translation>
+        <translation>impossible d’ouvrir les sockets CAN&#xa0;: %1</translation>
     </message>
     <message>
         <source>CRC refused, nothing was erased; trying variant %1</source>
-        <translation>CRC refusé, rien n’a été effacé ; essai de la variante %1</translation>
+        <translation>CRC refusé, rien n’a été effacé&#x202f;; essai de la variante %1</translation>
     </message>
     <message>
         <source>Connecting through OpenOCD</source>
@@ -13889,7 +13889,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>DMC60C found: %1</source>
-        <translation>DMC60C trouvés : %1</translation>
+        <translation>DMC60C trouvés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Dialect %1 was chosen by hand, none was proven. %2</source>
@@ -13937,15 +13937,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>GPIO line %1: %2</source>
-        <translation>ligne GPIO %1 : %2</translation>
+        <translation>ligne GPIO %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>GetDescriptors: a field ends too early</source>
-        <translation>GetDescriptors : un champ finit trop tôt</translation>
+        <translation>GetDescriptors&#xa0;: un champ finit trop tôt</translation>
     </message>
     <message>
         <source>GetFlashSeqnum: 4 bytes were expected</source>
-        <translation>GetFlashSeqnum : 4 octets étaient attendus</translation>
+        <translation>GetFlashSeqnum&#xa0;: 4 octets étaient attendus</translation>
     </message>
     <message>
         <source>GetFwver answered with %1 bytes</source>
@@ -13953,7 +13953,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>GetFwver: 6 bytes were expected</source>
-        <translation>GetFwver : 6 octets étaient attendus</translation>
+        <translation>GetFwver&#xa0;: 6 octets étaient attendus</translation>
     </message>
     <message>
         <source>Giving it number %1</source>
@@ -13965,11 +13965,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>It answers, but not as any known dialect; it can be watched but not driven.</source>
-        <translation>Il répond, mais dans aucun dialecte connu ; il peut être observé mais pas piloté.</translation>
+        <translation>Il répond, mais dans aucun dialecte connu&#x202f;; il peut être observé mais pas piloté.</translation>
     </message>
     <message>
         <source>It is not driven: %1.</source>
-        <translation>Il n’est pas piloté : %1.</translation>
+        <translation>Il n’est pas piloté&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Its answers fit no known dialect.</source>
@@ -14013,11 +14013,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>No application runs; update its firmware.</source>
-        <translation>Aucune application ne tourne ; mettez à jour son firmware.</translation>
+        <translation>Aucune application ne tourne&#x202f;; mettez à jour son firmware.</translation>
     </message>
     <message>
         <source>Number %1 is used by %2 units; give each its own before one is driven.</source>
-        <translation>Le numéro %1 est utilisé par %2 appareils ; donnez à chacun le sien avant d’en piloter un.</translation>
+        <translation>Le numéro %1 est utilisé par %2 appareils&#x202f;; donnez à chacun le sien avant d’en piloter un.</translation>
     </message>
     <message>
         <source>OpenOCD ended without saying why</source>
@@ -14029,11 +14029,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>OpenOCD verified the flash, but nothing answers as %1; the new firmware may have another offset or bit rate: scan again</source>
-        <translation>OpenOCD a vérifié la flash, mais rien ne répond comme %1 ; le nouveau firmware a peut-être un autre offset ou débit : relancez la recherche</translation>
+        <translation>OpenOCD a vérifié la flash, mais rien ne répond comme %1&#x202f;; le nouveau firmware a peut-être un autre offset ou débit&#xa0;: relancez la recherche</translation>
     </message>
     <message>
         <source>OpenOCD: %1</source>
-        <translation>OpenOCD : %1</translation>
+        <translation>OpenOCD&#xa0;: %1</translation>
     </message>
     <message>
         <source>Page %1</source>
@@ -14101,22 +14101,22 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Set telemetry rate: %1</source>
-        <translation>Réglage de la cadence de télémétrie : %1</translation>
+        <translation>Réglage de la cadence de télémétrie&#xa0;: %1</translation>
     </message>
     <message>
         <source>Several drives answer with offset %1; offsets are compiled into the firmware, so give one of them another and flash it.</source>
-        <translation>Plusieurs variateurs répondent avec l’offset %1 ; les offsets sont compilés dans le firmware, donnez-en donc un autre à l’un d’eux et flashez-le.</translation>
+        <translation>Plusieurs variateurs répondent avec l’offset %1&#x202f;; les offsets sont compilés dans le firmware, donnez-en donc un autre à l’un d’eux et flashez-le.</translation>
     </message>
     <message>
         <source>So old that nothing but its power stops it; it can be watched but not driven.</source>
-        <translation>Si ancien que seule la coupure d’alimentation l’arrête ; il peut être observé mais pas piloté.</translation>
+        <translation>Si ancien que seule la coupure d’alimentation l’arrête&#x202f;; il peut être observé mais pas piloté.</translation>
     </message>
     <message>
-        <source>Speaks the document's codes, which no published firmware does.</source>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
         <translation>Parle les codes du document, ce que ne fait aucun firmware publié.</translation>
     </message>
     <message>
-        <source>Speaks the firmware's codes, not the document's.</source>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
         <translation>Parle les codes du firmware, pas ceux du document.</translation>
     </message>
     <message>
@@ -14133,7 +14133,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Supermodified found: %1</source>
-        <translation>Supermodified trouvés : %1</translation>
+        <translation>Supermodified trouvés&#xa0;: %1</translation>
     </message>
     <message>
         <source>Take a snapshot</source>
@@ -14145,15 +14145,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The bootloader runs; restart the unit or update its firmware.</source>
-        <translation>Le bootloader est actif ; redémarrez l’appareil ou mettez à jour son firmware.</translation>
+        <translation>Le bootloader est actif&#x202f;; redémarrez l’appareil ou mettez à jour son firmware.</translation>
     </message>
     <message>
-        <source>The controller tells no version: the programmer's own verify and the controller's answer prove the update.</source>
-        <translation>Le contrôleur n’indique pas de version : la vérification du programmateur et la réponse du contrôleur prouvent la mise à jour.</translation>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
+        <translation>Le contrôleur n’indique pas de version&#xa0;: la vérification du programmateur et la réponse du contrôleur prouvent la mise à jour.</translation>
     </message>
     <message>
-        <source>The drive tells no version: the programmer's own verify and the drive's answer prove the update.</source>
-        <translation>Le variateur n’indique pas de version : la vérification du programmateur et la réponse du variateur prouvent la mise à jour.</translation>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
+        <translation>Le variateur n’indique pas de version&#xa0;: la vérification du programmateur et la réponse du variateur prouvent la mise à jour.</translation>
     </message>
     <message>
         <source>The image holds a bootloader too, so it needs a programmer on the pins.</source>
@@ -14161,23 +14161,23 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>The image writes the settings pages: stored gains are replaced.</source>
-        <translation>L’image écrit les pages de réglages : les gains mémorisés sont remplacés.</translation>
+        <translation>L’image écrit les pages de réglages&#xa0;: les gains mémorisés sont remplacés.</translation>
     </message>
     <message>
         <source>The recording does not tell which codes it speaks: it was asked for what all answer alike.</source>
-        <translation>L’enregistrement n’indique pas quels codes il parle : on lui a demandé ce à quoi tous répondent de même.</translation>
+        <translation>L’enregistrement n’indique pas quels codes il parle&#xa0;: on lui a demandé ce à quoi tous répondent de même.</translation>
     </message>
     <message>
         <source>The serial bootloader listens for a moment after power-up only: restart the controller when the update begins.</source>
-        <translation>Le bootloader série n’écoute qu’un instant après la mise sous tension : redémarrez le contrôleur au début de la mise à jour.</translation>
+        <translation>Le bootloader série n’écoute qu’un instant après la mise sous tension&#xa0;: redémarrez le contrôleur au début de la mise à jour.</translation>
     </message>
     <message>
         <source>This unit has no number and no application; assign a number, then update its firmware.</source>
-        <translation>Cet appareil n’a ni numéro ni application ; attribuez un numéro, puis mettez à jour son firmware.</translation>
+        <translation>Cet appareil n’a ni numéro ni application&#x202f;; attribuez un numéro, puis mettez à jour son firmware.</translation>
     </message>
     <message>
         <source>This unit has no number yet; assign one from 1 to 63.</source>
-        <translation>Cet appareil n’a pas encore de numéro ; attribuez-en un de 1 à 63.</translation>
+        <translation>Cet appareil n’a pas encore de numéro&#x202f;; attribuez-en un de 1 à 63.</translation>
     </message>
     <message>
         <source>Undo a write</source>
@@ -14220,16 +14220,16 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>Écrit</translation>
     </message>
     <message>
-        <source>"via" must name the other way in, such as "%1"</source>
-        <translation>« via » doit nommer l’autre accès, par exemple « %1 »</translation>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>«&#xa0;via&#xa0;» doit nommer l’autre accès, par exemple «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>un DMC60C a un numéro de 0 à 63, pas %1</translation>
     </message>
     <message>
-        <source>a DMC60C has no mode '%1'</source>
-        <translation>un DMC60C n’a pas de mode « %1 »</translation>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
+        <translation>un DMC60C n’a pas de mode «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a DMC60C has one axis</source>
@@ -14248,8 +14248,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un DMC60C se met à jour par sa propre liaison</translation>
     </message>
     <message>
-        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'</source>
-        <translation>une ligne GPIO est CHIP:LIGNE, comme gpiochip0:25, pas « %1 »</translation>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
+        <translation>une ligne GPIO est CHIP:LIGNE, comme gpiochip0:25, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a QuadQuad2Drv has no address but 0</source>
@@ -14260,7 +14260,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un QuadQuad2Drv a un seul type de puce</translation>
     </message>
     <message>
-        <source>a QuadQuad2Drv is simulated on the board's end of an SPI link</source>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
         <translation>un QuadQuad2Drv se simule côté carte d’une liaison SPI</translation>
     </message>
     <message>
@@ -14276,8 +14276,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un Supermodified a un id de 1 à 127, pas %1</translation>
     </message>
     <message>
-        <source>a Supermodified has no mode '%1'</source>
-        <translation>un Supermodified n’a pas de mode « %1 »</translation>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
+        <translation>un Supermodified n’a pas de mode «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>a Supermodified has no name</source>
@@ -14304,7 +14304,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un bit</translation>
     </message>
     <message>
-        <source>a bootloader needs the board's serial line, such as boot=pty:./boot</source>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
         <translation>un bootloader demande la ligne série de la carte, par exemple boot=pty:./boot</translation>
     </message>
     <message>
@@ -14405,7 +14405,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>a relative move was not answered, and is never sent twice: look where the motor stands</source>
-        <translation>un mouvement relatif est resté sans réponse et n’est jamais envoyé deux fois : regardez où se trouve le moteur</translation>
+        <translation>un mouvement relatif est resté sans réponse et n’est jamais envoyé deux fois&#xa0;: regardez où se trouve le moteur</translation>
     </message>
     <message>
         <source>a reserved bit</source>
@@ -14457,7 +14457,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>a temporary file for %1 cannot be written: %2</source>
-        <translation>impossible d’écrire un fichier temporaire pour %1 : %2</translation>
+        <translation>impossible d’écrire un fichier temporaire pour %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>a time</source>
@@ -14580,8 +14580,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un Abstract DC Drive n’a pas de fins de course, ils ne peuvent donc pas être ignorés</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no mode '%1'</source>
-        <translation>un Abstract DC Drive n’a pas de mode « %1 »</translation>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
+        <translation>un Abstract DC Drive n’a pas de mode «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no name</source>
@@ -14649,11 +14649,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>at most %1 with its P: use a profiled mode or several moves</source>
-        <translation>au plus %1 avec son P : utilisez un mode avec profil ou plusieurs mouvements</translation>
+        <translation>au plus %1 avec son P&#xa0;: utilisez un mode avec profil ou plusieurs mouvements</translation>
     </message>
     <message>
-        <source>average takes 0 to 3600 seconds, not '%1'</source>
-        <translation>average accepte 0 à 3600 secondes, pas « %1 »</translation>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
+        <translation>average accepte 0 à 3600 secondes, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>average takes a signal and seconds, such as average(x, 0.1)</source>
@@ -14673,15 +14673,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its power for a moment, and scan: a new firmware may have another rate or node id</source>
-        <translation>avrdude a relu les %1 octets et ils sont égaux, mais le contrôleur ne répond pas ; coupez brièvement son alimentation et relancez la recherche : un nouveau firmware peut avoir un autre débit ou id de nœud</translation>
+        <translation>avrdude a relu les %1 octets et ils sont égaux, mais le contrôleur ne répond pas&#x202f;; coupez brièvement son alimentation et relancez la recherche&#xa0;: un nouveau firmware peut avoir un autre débit ou id de nœud</translation>
     </message>
     <message>
         <source>avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2</source>
-        <translation>avrdude a relu les %1 octets et ils sont égaux ; le contrôleur répond à nouveau, dialecte %2</translation>
+        <translation>avrdude a relu les %1 octets et ils sont égaux&#x202f;; le contrôleur répond à nouveau, dialecte %2</translation>
     </message>
     <message>
         <source>baud, format, rs485 and echo are known</source>
-        <translation>connus : baud, format, rs485 et echo</translation>
+        <translation>connus&#xa0;: baud, format, rs485 et echo</translation>
     </message>
     <message>
         <source>become a member of its group</source>
@@ -14729,15 +14729,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>bus-off: %1 left the bus after too many errors</source>
-        <translation>bus-off : %1 a quitté le bus après trop d’erreurs</translation>
+        <translation>bus-off&#xa0;: %1 a quitté le bus après trop d’erreurs</translation>
     </message>
     <message>
         <source>bus-off: the adapter left the bus after too many errors</source>
-        <translation>bus-off : l’adaptateur a quitté le bus après trop d’erreurs</translation>
+        <translation>bus-off&#xa0;: l’adaptateur a quitté le bus après trop d’erreurs</translation>
     </message>
     <message>
         <source>bus-off: the controller left the bus after too many errors</source>
-        <translation>bus-off : le contrôleur CAN a quitté le bus après trop d’erreurs</translation>
+        <translation>bus-off&#xa0;: le contrôleur CAN a quitté le bus après trop d’erreurs</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -14801,7 +14801,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>check wiring, termination and bit rate; it starts again by itself</source>
-        <translation>vérifier câblage, terminaison et débit ; elle redémarre d’elle-même</translation>
+        <translation>vérifier câblage, terminaison et débit&#x202f;; elle redémarre d’elle-même</translation>
     </message>
     <message>
         <source>checksum is %1, %2 is needed</source>
@@ -14809,7 +14809,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>chirp: %1 s hold no whole swing of %2 Hz</source>
-        <translation>chirp : %1 s ne contiennent aucune oscillation complète à %2 Hz</translation>
+        <translation>chirp&#xa0;: %1 s ne contiennent aucune oscillation complète à %2 Hz</translation>
     </message>
     <message>
         <source>choose a smaller --size</source>
@@ -14832,8 +14832,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>choisissez un autre emplacement</translation>
     </message>
     <message>
-        <source>close that one first ('fuser %1' names it)</source>
-        <translation>fermez d’abord celui-là (« fuser %1 » l’indique)</translation>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
+        <translation>fermez d’abord celui-là («&#xa0;fuser %1&#xa0;» l’indique)</translation>
     </message>
     <message>
         <source>close the jumper between AUX1 and AUX2, then reset the board or switch it off and on</source>
@@ -14893,15 +14893,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>dry run: %1 lines would be sent over %2</source>
-        <translation>simulation : %1 lignes seraient envoyées par %2</translation>
+        <translation>simulation&#xa0;: %1 lignes seraient envoyées par %2</translation>
     </message>
     <message>
         <source>dry run: %1 pages would be written</source>
-        <translation>simulation : %1 pages seraient écrites</translation>
+        <translation>simulation&#xa0;: %1 pages seraient écrites</translation>
     </message>
     <message>
         <source>dry run: %1 pages would be written, version %2</source>
-        <translation>simulation : %1 pages seraient écrites, version %2</translation>
+        <translation>simulation&#xa0;: %1 pages seraient écrites, version %2</translation>
     </message>
     <message>
         <source>duty</source>
@@ -14921,7 +14921,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart</source>
-        <translation>activez SPI dans l’arborescence matérielle (device tree ; sur un Raspberry Pi : dtparam=spi=on) et redémarrez</translation>
+        <translation>activez SPI dans l’arborescence matérielle (device tree&#x202f;; sur un Raspberry Pi&#xa0;: dtparam=spi=on) et redémarrez</translation>
     </message>
     <message>
         <source>end it in .pdf or .html</source>
@@ -14941,7 +14941,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>ending=%1: legal are cr, lf and crlf</source>
-        <translation>ending=%1 : valeurs admises cr, lf et crlf</translation>
+        <translation>ending=%1&#xa0;: valeurs admises cr, lf et crlf</translation>
     </message>
     <message>
         <source>error</source>
@@ -14961,7 +14961,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>every id that this program could use on the line belongs to the group of a node, so answers would be taken for commands; set node.mask to 255 and restart the nodes</source>
-        <translation>tout id que ce programme pourrait utiliser sur la ligne appartient au groupe d’un nœud, qui prendrait les réponses pour des commandes ; mettez node.mask à 255 et redémarrez les nœuds</translation>
+        <translation>tout id que ce programme pourrait utiliser sur la ligne appartient au groupe d’un nœud, qui prendrait les réponses pour des commandes&#x202f;; mettez node.mask à 255 et redémarrez les nœuds</translation>
     </message>
     <message>
         <source>every line was confirmed, and the board answers with version %1</source>
@@ -14989,11 +14989,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
-        <translation>attendu : temps, voie, valeur et unité</translation>
+        <translation>attendu&#xa0;: temps, voie, valeur et unité</translation>
     </message>
     <message>
-        <source>fault '%1' does not parse</source>
-        <translation>le défaut « %1 » n’est pas analysable</translation>
+        <source>fault &apos;%1&apos; does not parse</source>
+        <translation>le défaut «&#xa0;%1&#xa0;» n’est pas analysable</translation>
     </message>
     <message>
         <source>fewer than 16 samples connect</source>
@@ -15008,8 +15008,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>trouvez d’abord ses échelles de gain : Vue d’ensemble, « Trouver les échelles de gain »</translation>
     </message>
     <message>
-        <source>find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'</source>
-        <translation>trouver l’émetteur qui le sature, dans la page Bus ou avec « motorbenchctl monitor »</translation>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
+        <translation>trouver l’émetteur qui le sature, dans la page Bus ou avec «&#xa0;motorbenchctl monitor&#xa0;»</translation>
     </message>
     <message>
         <source>firmware update</source>
@@ -15017,7 +15017,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>firmware: %1</source>
-        <translation>firmware : %1</translation>
+        <translation>firmware&#xa0;: %1</translation>
     </message>
     <message>
         <source>follow needs the number of a device</source>
@@ -15037,7 +15037,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>frequency response: %1</source>
-        <translation>réponse fréquentielle : %1</translation>
+        <translation>réponse fréquentielle&#xa0;: %1</translation>
     </message>
     <message>
         <source>friction takes %1 duty of pushes of %2</source>
@@ -15057,7 +15057,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>gave no sign after the stop; its own watchdog switches it off</source>
-        <translation>n’a pas donné signe après l’arrêt ; son propre chien de garde le coupe</translation>
+        <translation>n’a pas donné signe après l’arrêt&#x202f;; son propre chien de garde le coupe</translation>
     </message>
     <message>
         <source>give %1</source>
@@ -15128,7 +15128,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>installez-le avec</translation>
     </message>
     <message>
-        <source>install its vendor's driver</source>
+        <source>install its vendor&apos;s driver</source>
         <translation>installez le pilote de son fabricant</translation>
     </message>
     <message>
@@ -15137,7 +15137,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>installed are: %1</source>
-        <translation>installés : %1</translation>
+        <translation>installés&#xa0;: %1</translation>
     </message>
     <message>
         <source>is a directory</source>
@@ -15164,8 +15164,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>est là</translation>
     </message>
     <message>
-        <source>it begins with "recipe": 1</source>
-        <translation>elle commence par "recipe": 1</translation>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>elle commence par &quot;recipe&quot;: 1</translation>
     </message>
     <message>
         <source>it begins with {</source>
@@ -15285,7 +15285,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>its error level is 1, which makes every reading fail: set error.level to 0</source>
-        <translation>son niveau d’erreur est 1, ce qui fait échouer chaque lecture : mettez error.level à 0</translation>
+        <translation>son niveau d’erreur est 1, ce qui fait échouer chaque lecture&#xa0;: mettez error.level à 0</translation>
     </message>
     <message>
         <source>its motor is turning or driven already</source>
@@ -15309,7 +15309,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>known are %1</source>
-        <translation>connus : %1</translation>
+        <translation>connus&#xa0;: %1</translation>
     </message>
     <message>
         <source>leave it out</source>
@@ -15373,15 +15373,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>link option %1=%2 is out of range</source>
         <translation>l’option de liaison %1=%2 est hors plage</translation>
     </message>
     <message>
-        <source>link option '%1' is not KEY=VALUE</source>
-        <translation>l’option de liaison « %1 » n’est pas KEY=VALUE</translation>
+        <source>link option &apos;%1&apos; is not KEY=VALUE</source>
+        <translation>l’option de liaison «&#xa0;%1&#xa0;» n’est pas KEY=VALUE</translation>
     </message>
     <message>
         <source>link option bitrate=%1 is out of range</source>
@@ -15389,7 +15389,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>listen-only: nothing can be sent</source>
-        <translation>écoute seule : aucun envoi n’est possible</translation>
+        <translation>écoute seule&#xa0;: aucun envoi n’est possible</translation>
     </message>
     <message>
         <source>load it</source>
@@ -15500,8 +15500,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>nommez un autre dossier</translation>
     </message>
     <message>
-        <source>name it by its number; 'motorbenchctl snapshots' lists them</source>
-        <translation>nommez-le par son numéro ; « motorbenchctl snapshots » les énumère</translation>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
+        <translation>nommez-le par son numéro&#x202f;; «&#xa0;motorbenchctl snapshots&#xa0;» les énumère</translation>
     </message>
     <message>
         <source>name its serial port, for example --via serial:/dev/ttyUSB0</source>
@@ -15517,7 +15517,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>name one: %1 or %2</source>
-        <translation>nommez-en un : %1 ou %2</translation>
+        <translation>nommez-en un&#xa0;: %1 ou %2</translation>
     </message>
     <message>
         <source>no %1 answers as number %2 on %3</source>
@@ -15529,7 +15529,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no CAN frame: its identifier or size is out of range</source>
-        <translation>pas une trame CAN : son identifiant ou sa taille est hors plage</translation>
+        <translation>pas une trame CAN&#xa0;: son identifiant ou sa taille est hors plage</translation>
     </message>
     <message>
         <source>no D was found with which a small P neither swings nor creeps</source>
@@ -15557,7 +15557,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no experiment: %1</source>
-        <translation>pas d’expérience : %1</translation>
+        <translation>pas d’expérience&#xa0;: %1</translation>
     </message>
     <message>
         <source>no gain of the position loop turns the motor</source>
@@ -15573,7 +15573,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no guardian can be started: %1</source>
-        <translation>aucun gardien ne peut être démarré : %1</translation>
+        <translation>aucun gardien ne peut être démarré&#xa0;: %1</translation>
     </message>
     <message>
         <source>no history is kept here</source>
@@ -15585,7 +15585,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no number: server silent</source>
-        <translation>pas de numéro : serveur muet</translation>
+        <translation>pas de numéro&#xa0;: serveur muet</translation>
     </message>
     <message>
         <source>no object at the top</source>
@@ -15609,7 +15609,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no pseudo terminal can be had: %1</source>
-        <translation>aucun pseudo-terminal disponible : %1</translation>
+        <translation>aucun pseudo-terminal disponible&#xa0;: %1</translation>
     </message>
     <message>
         <source>no push met the current limit</source>
@@ -15629,15 +15629,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no snapshot of what was found: %1</source>
-        <translation>pas d’instantané de l’état trouvé : %1</translation>
+        <translation>pas d’instantané de l’état trouvé&#xa0;: %1</translation>
     </message>
     <message>
         <source>no snapshot of what was there: %1</source>
-        <translation>pas d’instantané de l’état précédent : %1</translation>
+        <translation>pas d’instantané de l’état précédent&#xa0;: %1</translation>
     </message>
     <message>
         <source>no snapshot: %1</source>
-        <translation>pas d’instantané : %1</translation>
+        <translation>pas d’instantané&#xa0;: %1</translation>
     </message>
     <message>
         <source>no snapshots are kept here</source>
@@ -15693,27 +15693,27 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>not a parameter file: %1</source>
-        <translation>pas un fichier de paramètres : %1</translation>
+        <translation>pas un fichier de paramètres&#xa0;: %1</translation>
     </message>
     <message>
-        <source>not a parameter file: it has no "parameters"</source>
-        <translation>pas un fichier de paramètres : il n’a pas de « parameters »</translation>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>pas un fichier de paramètres&#xa0;: il n’a pas de «&#xa0;parameters&#xa0;»</translation>
     </message>
     <message>
         <source>not sent: %1 for %2</source>
-        <translation>non envoyé : %1 pour %2</translation>
+        <translation>non envoyé&#xa0;: %1 pour %2</translation>
     </message>
     <message>
-        <source>not sent: %1 outside the controller's flash</source>
-        <translation>non envoyé : %1 hors de la flash du contrôleur</translation>
+        <source>not sent: %1 outside the controller&apos;s flash</source>
+        <translation>non envoyé&#xa0;: %1 hors de la flash du contrôleur</translation>
     </message>
     <message>
         <source>not sent: %1 where a 24-bit instruction has none, the file may be for another processor</source>
-        <translation>non envoyé : %1 là où une instruction de 24 bits n’en a pas ; le fichier est peut-être pour un autre processeur</translation>
+        <translation>non envoyé&#xa0;: %1 là où une instruction de 24 bits n’en a pas&#x202f;; le fichier est peut-être pour un autre processeur</translation>
     </message>
     <message>
         <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>rien ne répond par SPI ; la carte est hors tension ou mal câblée, ou elle attend dans son bootloader : mettez-la à jour, ou retirez le cavalier et réinitialisez-la</translation>
+        <translation>rien ne répond par SPI&#x202f;; la carte est hors tension ou mal câblée, ou elle attend dans son bootloader&#xa0;: mettez-la à jour, ou retirez le cavalier et réinitialisez-la</translation>
     </message>
     <message>
         <source>nothing could put the gains back after a crash</source>
@@ -15741,7 +15741,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>nothing was written; the image fits, %1 pages</source>
-        <translation>rien n’a été écrit ; l’image convient, %1 pages</translation>
+        <translation>rien n’a été écrit&#x202f;; l’image convient, %1 pages</translation>
     </message>
     <message>
         <source>now the calm ones</source>
@@ -15761,7 +15761,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>one update a bus: %1 is being written; nothing was sent</source>
-        <translation>une seule mise à jour par bus : écriture de %1 en cours ; rien n’a été envoyé</translation>
+        <translation>une seule mise à jour par bus&#xa0;: écriture de %1 en cours&#x202f;; rien n’a été envoyé</translation>
     </message>
     <message>
         <source>only disturbed frames arrive on %1, the bus has another bit rate</source>
@@ -15796,16 +15796,16 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>openocd n’est pas installé</translation>
     </message>
     <message>
-        <source>option '%1' is not KEY=VALUE</source>
-        <translation>l’option « %1 » n’est pas CLÉ=VALEUR</translation>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
+        <translation>l’option «&#xa0;%1&#xa0;» n’est pas CLÉ=VALEUR</translation>
     </message>
     <message>
         <source>page %1 accepted with CRC variant %2</source>
         <translation>page %1 acceptée avec la variante de CRC %2</translation>
     </message>
     <message>
-        <source>page %1 cannot be written: its flash failed the device's own check %2 times</source>
-        <translation>impossible d’écrire la page %1 : sa flash a échoué %2 fois au contrôle de l’appareil</translation>
+        <source>page %1 cannot be written: its flash failed the device&apos;s own check %2 times</source>
+        <translation>impossible d’écrire la page %1&#xa0;: sa flash a échoué %2 fois au contrôle de l’appareil</translation>
     </message>
     <message>
         <source>page %1 was not accepted in %2 tries</source>
@@ -15817,11 +15817,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>page %1: %2, sent again</source>
-        <translation>page %1 : %2, renvoyée</translation>
+        <translation>page %1&#xa0;: %2, renvoyée</translation>
     </message>
     <message>
         <source>page 0: its status was lost, but the version is there; it is not written again</source>
-        <translation>page 0 : son état a été perdu, mais la version est là ; elle n’est pas réécrite</translation>
+        <translation>page 0&#xa0;: son état a été perdu, mais la version est là&#x202f;; elle n’est pas réécrite</translation>
     </message>
     <message>
         <source>pages 31-34 (configuration and descriptors)</source>
@@ -15833,11 +15833,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>parameters that were changed last may be lost: %1</source>
-        <translation>les derniers paramètres modifiés peuvent être perdus : %1</translation>
+        <translation>les derniers paramètres modifiés peuvent être perdus&#xa0;: %1</translation>
     </message>
     <message>
         <source>pause=%1: legal are 0 to 1000 milliseconds</source>
-        <translation>pause=%1 : valeurs admises 0 à 1000 millisecondes</translation>
+        <translation>pause=%1&#xa0;: valeurs admises 0 à 1000 millisecondes</translation>
     </message>
     <message>
         <source>plug in an adapter</source>
@@ -15845,7 +15845,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>plug in an adapter at any time; it is opened by itself once it is up</source>
-        <translation>branchez un adaptateur à tout moment ; il s’ouvre de lui-même dès qu’il est actif</translation>
+        <translation>branchez un adaptateur à tout moment&#x202f;; il s’ouvre de lui-même dès qu’il est actif</translation>
     </message>
     <message>
         <source>plug in the adapter, or name another port</source>
@@ -15861,27 +15861,27 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>plug the adapter in again; the link is opened by itself as soon as it is up</source>
-        <translation>rebranchez l’adaptateur ; la liaison s’ouvre d’elle-même dès qu’il est actif</translation>
+        <translation>rebranchez l’adaptateur&#x202f;; la liaison s’ouvre d’elle-même dès qu’il est actif</translation>
     </message>
     <message>
-        <source>polarity 0 is active high: the board follows the maker's library</source>
-        <translation>la polarité 0 est active à l’état haut : la carte suit la bibliothèque du fabricant</translation>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
+        <translation>la polarité 0 est active à l’état haut&#xa0;: la carte suit la bibliothèque du fabricant</translation>
     </message>
     <message>
         <source>polarity 0 is active low: the board follows the data sheet</source>
-        <translation>la polarité 0 est active à l’état bas : la carte suit la fiche technique</translation>
+        <translation>la polarité 0 est active à l’état bas&#xa0;: la carte suit la fiche technique</translation>
     </message>
     <message>
         <source>polarity bit %1: the input is active</source>
-        <translation>bit de polarité %1 : l’entrée est active</translation>
+        <translation>bit de polarité %1&#xa0;: l’entrée est active</translation>
     </message>
     <message>
         <source>polarity bit %1: the input is not active</source>
-        <translation>bit de polarité %1 : l’entrée n’est pas active</translation>
+        <translation>bit de polarité %1&#xa0;: l’entrée n’est pas active</translation>
     </message>
     <message>
         <source>position D has no effect that could be measured; its scale stays unknown</source>
-        <translation>position D n’a pas d’effet mesurable ; son échelle reste inconnue</translation>
+        <translation>position D n’a pas d’effet mesurable&#x202f;; son échelle reste inconnue</translation>
     </message>
     <message>
         <source>position has 32 bits</source>
@@ -15889,7 +15889,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>power %1: %2 and %3 counts/s</source>
-        <translation>puissance %1 : %2 et %3 counts/s</translation>
+        <translation>puissance %1&#xa0;: %2 et %3 counts/s</translation>
     </message>
     <message>
         <source>protocol error</source>
@@ -15897,23 +15897,23 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>proving: a step of %1 A</source>
-        <translation>vérification : un échelon de %1 A</translation>
+        <translation>vérification&#xa0;: un échelon de %1 A</translation>
     </message>
     <message>
         <source>proving: a step of %1 counts</source>
-        <translation>vérification : un échelon de %1 counts</translation>
+        <translation>vérification&#xa0;: un échelon de %1 counts</translation>
     </message>
     <message>
         <source>proving: a step of %1 counts/s</source>
-        <translation>vérification : un échelon de %1 counts/s</translation>
+        <translation>vérification&#xa0;: un échelon de %1 counts/s</translation>
     </message>
     <message>
-        <source>pty links have the option baud=BITS_PER_SECOND, not '%1=%2'</source>
-        <translation>les liaisons pty ont l’option baud=BITS_PAR_SECONDE, pas « %1=%2 »</translation>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>les liaisons pty ont l’option baud=BITS_PAR_SECONDE, pas «&#xa0;%1=%2&#xa0;»</translation>
     </message>
     <message>
-        <source>pty: is where 'simulate' puts its devices</source>
-        <translation>pty: est l’endroit où « simulate » place ses appareils</translation>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
+        <translation>pty: est l’endroit où «&#xa0;simulate&#xa0;» place ses appareils</translation>
     </message>
     <message>
         <source>push harder or longer</source>
@@ -15944,8 +15944,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>rétablissement des réglages</translation>
     </message>
     <message>
-        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'</source>
-        <translation>les liaisons qtcan ont l’option bitrate=BITS_PAR_SECONDE, pas « %1=%2 »</translation>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>les liaisons qtcan ont l’option bitrate=BITS_PAR_SECONDE, pas «&#xa0;%1=%2&#xa0;»</translation>
     </message>
     <message>
         <source>read gain.p</source>
@@ -15981,7 +15981,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>refused: %1</source>
-        <translation>refusé : %1</translation>
+        <translation>refusé&#xa0;: %1</translation>
     </message>
     <message>
         <source>remove it</source>
@@ -15996,8 +15996,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>supprimez la cause, puis testez à nouveau</translation>
     </message>
     <message>
-        <source>replay links have no option '%1'</source>
-        <translation>les liaisons replay n’ont pas d’option « %1 »</translation>
+        <source>replay links have no option &apos;%1&apos;</source>
+        <translation>les liaisons replay n’ont pas d’option «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>residual %1 of what counts and clocks explain, at most 3</source>
@@ -16049,7 +16049,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>see that nothing is loose; a stronger load than it was built for cannot be tuned</source>
-        <translation>vérifiez que rien n’est desserré ; une charge plus forte que prévu ne peut pas être réglée</translation>
+        <translation>vérifiez que rien n’est desserré&#x202f;; une charge plus forte que prévu ne peut pas être réglée</translation>
     </message>
     <message>
         <source>see that the motor is connected</source>
@@ -16057,7 +16057,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>see that the server runs; entries wait here until it does</source>
-        <translation>vérifiez que le serveur tourne ; d’ici là, les entrées patientent ici</translation>
+        <translation>vérifiez que le serveur tourne&#x202f;; d’ici là, les entrées patientent ici</translation>
     </message>
     <message>
         <source>see that this is the motor and the encoder of the recipe, then test again</source>
@@ -16096,8 +16096,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>plusieurs appareils répondent sous ce numéro dans l’enregistrement</translation>
     </message>
     <message>
-        <source>several units have a snapshot '%1'</source>
-        <translation>plusieurs appareils ont un instantané « %1 »</translation>
+        <source>several units have a snapshot &apos;%1&apos;</source>
+        <translation>plusieurs appareils ont un instantané «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>sim: stands for several links</source>
@@ -16109,15 +16109,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>sine %1 of %2, %3 Hz: %4</source>
-        <translation>sinus %1 sur %2, %3 Hz : %4</translation>
+        <translation>sinus %1 sur %2, %3 Hz&#xa0;: %4</translation>
     </message>
     <message>
         <source>snapshot %1, %2: %3 values</source>
-        <translation>instantané %1, %2 : %3 valeurs</translation>
+        <translation>instantané %1, %2&#xa0;: %3 valeurs</translation>
     </message>
     <message>
-        <source>socketcan links have no option '%1'</source>
-        <translation>les liaisons socketcan n’ont pas d’option « %1 »</translation>
+        <source>socketcan links have no option &apos;%1&apos;</source>
+        <translation>les liaisons socketcan n’ont pas d’option «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>somebody may have started it again, so the position was not reset</source>
@@ -16136,24 +16136,24 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>la vitesse %1 counts/s est supérieure à 1,2 × %2 counts/s</translation>
     </message>
     <message>
-        <source>speed is 10000 to 10000000 Hz, not '%1'</source>
-        <translation>speed va de 10000 à 10000000 Hz, pas « %1 »</translation>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
+        <translation>speed va de 10000 à 10000000 Hz, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>speed, ready and reset are known</source>
-        <translation>connus : speed, ready et reset</translation>
+        <translation>connus&#xa0;: speed, ready et reset</translation>
     </message>
     <message>
         <source>speed=%1 is no speed</source>
         <translation>speed=%1 n’est pas une vitesse</translation>
     </message>
     <message>
-        <source>spidev links have no option '%1'</source>
-        <translation>les liaisons spidev n’ont pas d’option « %1 »</translation>
+        <source>spidev links have no option &apos;%1&apos;</source>
+        <translation>les liaisons spidev n’ont pas d’option «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>stalled, or the encoder is dead: less than 3 counts in %1</source>
-        <translation>bloqué, ou le codeur est mort : moins de 3 counts en %1</translation>
+        <translation>bloqué, ou le codeur est mort&#xa0;: moins de 3 counts en %1</translation>
     </message>
     <message>
         <source>start it again</source>
@@ -16205,7 +16205,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>stop the motor first: the drive stands still while it writes its flash</source>
-        <translation>arrêtez d’abord le moteur : le variateur s’immobilise pendant l’écriture de sa flash</translation>
+        <translation>arrêtez d’abord le moteur&#xa0;: le variateur s’immobilise pendant l’écriture de sa flash</translation>
     </message>
     <message>
         <source>stop the motors before settings are written again</source>
@@ -16225,11 +16225,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>stopped: %1</source>
-        <translation>arrêté : %1</translation>
+        <translation>arrêté&#xa0;: %1</translation>
     </message>
     <message>
         <source>stopped: the window did not respond in time</source>
-        <translation>arrêté : la fenêtre n’a pas répondu à temps</translation>
+        <translation>arrêté&#xa0;: la fenêtre n’a pas répondu à temps</translation>
     </message>
     <message>
         <source>stored, not verifiable</source>
@@ -16285,7 +16285,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>take the jumper out; the board is asked for its version</source>
-        <translation>retirez le cavalier ; la version est demandée à la carte</translation>
+        <translation>retirez le cavalier&#x202f;; la version est demandée à la carte</translation>
     </message>
     <message>
         <source>take the other one off, or give one of them another number</source>
@@ -16301,11 +16301,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the %1 gains did not: %2</source>
-        <translation>les gains « %1 » ne l’ont pas fait : %2</translation>
+        <translation>les gains «&#xa0;%1&#xa0;» ne l’ont pas fait&#xa0;: %2</translation>
     </message>
     <message>
         <source>the %1 loop was saved %2 times; after %3 its settings pages must be erased</source>
-        <translation>la boucle %1 a été mémorisée %2 fois ; après %3, ses pages de réglages doivent être effacées</translation>
+        <translation>la boucle %1 a été mémorisée %2 fois&#x202f;; après %3, ses pages de réglages doivent être effacées</translation>
     </message>
     <message>
         <source>the acknowledge delimiter</source>
@@ -16317,7 +16317,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the answer to the reset was lost; found again by enumeration</source>
-        <translation>la réponse au reset a été perdue ; retrouvé par énumération</translation>
+        <translation>la réponse au reset a été perdue&#x202f;; retrouvé par énumération</translation>
     </message>
     <message>
         <source>the axis has a power limit of %1 %, which is kept</source>
@@ -16365,7 +16365,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
-        <translation>la carte n’a pas de numéro : le chip select distingue les cartes</translation>
+        <translation>la carte n’a pas de numéro&#xa0;: le chip select distingue les cartes</translation>
     </message>
     <message>
         <source>the board has no such mode</source>
@@ -16385,7 +16385,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the board may want velocity targets times 4096: choose that setting, and try again</source>
-        <translation>la carte attend peut-être des consignes de vitesse multipliées par 4096 : choisissez ce réglage, et réessayez</translation>
+        <translation>la carte attend peut-être des consignes de vitesse multipliées par 4096&#xa0;: choisissez ce réglage, et réessayez</translation>
     </message>
     <message>
         <source>the board refused a value</source>
@@ -16401,7 +16401,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the board speaks protocol %1, this program was written for protocol 1; watch it before it is driven</source>
-        <translation>la carte parle le protocole %1, ce programme a été écrit pour le protocole 1 ; observez-la avant de la piloter</translation>
+        <translation>la carte parle le protocole %1, ce programme a été écrit pour le protocole 1&#x202f;; observez-la avant de la piloter</translation>
     </message>
     <message>
         <source>the board was reset since its settings were written</source>
@@ -16525,7 +16525,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the device may have restarted: once more from page %1</source>
-        <translation>l’appareil a peut-être redémarré : reprise à partir de la page %1</translation>
+        <translation>l’appareil a peut-être redémarré&#xa0;: reprise à partir de la page %1</translation>
     </message>
     <message>
         <source>the device restarted</source>
@@ -16541,11 +16541,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the device says that the motor is not started; it may have lost its supply</source>
-        <translation>l’appareil indique que le moteur n’est pas démarré ; il a peut-être perdu son alimentation</translation>
+        <translation>l’appareil indique que le moteur n’est pas démarré&#x202f;; il a peut-être perdu son alimentation</translation>
     </message>
     <message>
-        <source>the device's rate was not put back: %1</source>
-        <translation>la cadence de l’appareil n’a pas été rétablie : %1</translation>
+        <source>the device&apos;s rate was not put back: %1</source>
+        <translation>la cadence de l’appareil n’a pas été rétablie&#xa0;: %1</translation>
     </message>
     <message>
         <source>the disk has not made %1 within 10 s</source>
@@ -16569,7 +16569,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the driver of %1 cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing answers, use one that does</source>
-        <translation>le pilote de %1 ne sait pas commuter le sens d’une ligne RS-485, l’adaptateur doit donc le faire lui-même ; si rien ne répond, utilisez-en un qui le fait</translation>
+        <translation>le pilote de %1 ne sait pas commuter le sens d’une ligne RS-485, l’adaptateur doit donc le faire lui-même&#x202f;; si rien ne répond, utilisez-en un qui le fait</translation>
     </message>
     <message>
         <source>the duty changed its direction %1 times in a second</source>
@@ -16608,8 +16608,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>le fichier est vide</translation>
     </message>
     <message>
-        <source>the file is for family '%1', the device is a %2</source>
-        <translation>le fichier est destiné à la famille « %1 », l’appareil est un %2</translation>
+        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
+        <translation>le fichier est destiné à la famille «&#xa0;%1&#xa0;», l’appareil est un %2</translation>
     </message>
     <message>
         <source>the folder %1 cannot be made</source>
@@ -16649,15 +16649,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the gains found at different values do not agree, so that a gain is no simple factor</source>
-        <translation>les gains trouvés à différentes valeurs ne concordent pas : un gain n’est donc pas un simple facteur</translation>
+        <translation>les gains trouvés à différentes valeurs ne concordent pas&#xa0;: un gain n’est donc pas un simple facteur</translation>
     </message>
     <message>
         <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p, d and divisor once</source>
-        <translation>les gains de cette boucle ne sont pas connus ici, sa cible reste donc à moins de %1 de sa position : une boucle faible ne le déplacera peut-être pas ; écrivez une fois son p, son d et son divisor</translation>
+        <translation>les gains de cette boucle ne sont pas connus ici, sa cible reste donc à moins de %1 de sa position&#xa0;: une boucle faible ne le déplacera peut-être pas&#x202f;; écrivez une fois son p, son d et son divisor</translation>
     </message>
     <message>
         <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
-        <translation>les gains mémorisés dans le variateur sont effacés ; toutes ses boucles restent sans effet jusqu’à leur réécriture</translation>
+        <translation>les gains mémorisés dans le variateur sont effacés&#x202f;; toutes ses boucles restent sans effet jusqu’à leur réécriture</translation>
     </message>
     <message>
         <source>the gains that trial #%1 had changed are put back</source>
@@ -16677,7 +16677,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands</source>
-        <translation>le gardien a envoyé l’arrêt, que rien ne confirme sur cette liaison ; vérifiez que le moteur est à l’arrêt</translation>
+        <translation>le gardien a envoyé l’arrêt, que rien ne confirme sur cette liaison&#x202f;; vérifiez que le moteur est à l’arrêt</translation>
     </message>
     <message>
         <source>the guardian has stopped the motor</source>
@@ -16697,7 +16697,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the guardian tried in vain to stop the motor; it may still turn: cut its power</source>
-        <translation>le gardien a tenté en vain d’arrêter le moteur ; il tourne peut-être encore : coupez son alimentation</translation>
+        <translation>le gardien a tenté en vain d’arrêter le moteur&#x202f;; il tourne peut-être encore&#xa0;: coupez son alimentation</translation>
     </message>
     <message>
         <source>the guardian tried to stop the motor because this program was held up, without an answer</source>
@@ -16705,7 +16705,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the history does not have this write: %1</source>
-        <translation>l’historique n’a pas cette écriture : %1</translation>
+        <translation>l’historique n’a pas cette écriture&#xa0;: %1</translation>
     </message>
     <message>
         <source>the history has an unexpected length</source>
@@ -16744,20 +16744,20 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>le registre du serveur provient d’une version plus récente de ce programme</translation>
     </message>
     <message>
-        <source>the journal's server: %1</source>
-        <translation>le serveur du registre : %1</translation>
+        <source>the journal&apos;s server: %1</source>
+        <translation>le serveur du registre&#xa0;: %1</translation>
     </message>
     <message>
         <source>the jumper is still in: take it out, then reset the board</source>
-        <translation>le cavalier est encore en place : retirez-le, puis réinitialisez la carte</translation>
+        <translation>le cavalier est encore en place&#xa0;: retirez-le, puis réinitialisez la carte</translation>
     </message>
     <message>
         <source>the kernel does not list its interfaces: %1</source>
-        <translation>le noyau n’énumère pas ses interfaces : %1</translation>
+        <translation>le noyau n’énumère pas ses interfaces&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the key '%1' is there twice</source>
-        <translation>la clé « %1 » figure deux fois</translation>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>la clé «&#xa0;%1&#xa0;» figure deux fois</translation>
     </message>
     <message>
         <source>the layout has more than 500 traces</source>
@@ -16772,8 +16772,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>la longueur de la trame est %1</translation>
     </message>
     <message>
-        <source>the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]</source>
-        <translation>la limite de « %1 » doit être la valeur maximale, 0 ou plus, ou [minimum, maximum]</translation>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
+        <translation>la limite de «&#xa0;%1&#xa0;» doit être la valeur maximale, 0 ou plus, ou [minimum, maximum]</translation>
     </message>
     <message>
         <source>the link is not open</source>
@@ -16789,11 +16789,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the loop swings itself up: %1 swings, each larger than the last or with full duty</source>
-        <translation>la boucle se met à osciller : %1 oscillations, chacune plus grande que la précédente ou à plein rapport cyclique</translation>
+        <translation>la boucle se met à osciller&#xa0;: %1 oscillations, chacune plus grande que la précédente ou à plein rapport cyclique</translation>
     </message>
     <message>
         <source>the loop does not come to rest: %1 swings</source>
-        <translation>la boucle ne se stabilise pas : %1 oscillations</translation>
+        <translation>la boucle ne se stabilise pas&#xa0;: %1 oscillations</translation>
     </message>
     <message>
         <source>the loop would be undefined</source>
@@ -16805,19 +16805,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the model is not to be believed: %1</source>
-        <translation>le modèle n’est pas crédible : %1</translation>
+        <translation>le modèle n’est pas crédible&#xa0;: %1</translation>
     </message>
     <message>
         <source>the motor did not follow a step: stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas suivi un échelon : bloqué, ou le codeur est mort</translation>
+        <translation>le moteur n’a pas suivi un échelon&#xa0;: bloqué, ou le codeur est mort</translation>
     </message>
     <message>
         <source>the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas bougé jusqu’à %1 % de rapport cyclique (%2 counts) : bloqué, ou le codeur est mort</translation>
+        <translation>le moteur n’a pas bougé jusqu’à %1 % de rapport cyclique (%2 counts)&#xa0;: bloqué, ou le codeur est mort</translation>
     </message>
     <message>
         <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas bougé quand on l’a envoyé 20 counts plus haut (%1 counts) : bloqué, ou le codeur est mort</translation>
+        <translation>le moteur n’a pas bougé quand on l’a envoyé 20 counts plus haut (%1 counts)&#xa0;: bloqué, ou le codeur est mort</translation>
     </message>
     <message>
         <source>the motor did not turn at two of the powers</source>
@@ -16825,7 +16825,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the motor did not turn at up to %1 duty: stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas tourné jusqu’à %1 de rapport cyclique : bloqué, ou le codeur est mort</translation>
+        <translation>le moteur n’a pas tourné jusqu’à %1 de rapport cyclique&#xa0;: bloqué, ou le codeur est mort</translation>
     </message>
     <message>
         <source>the motor did not turn the way it was pushed</source>
@@ -16845,11 +16845,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the motor reversed during a sine of %1 Hz: friction is in it</source>
-        <translation>le moteur s’est inversé pendant un sinus de %1 Hz : il y a du frottement dedans</translation>
+        <translation>le moteur s’est inversé pendant un sinus de %1 Hz&#xa0;: il y a du frottement dedans</translation>
     </message>
     <message>
         <source>the motor took the heat of %1 s at %2 A, 10 s are allowed; let it cool</source>
-        <translation>le moteur a pris la chaleur de %1 s à %2 A, 10 s sont permises ; laissez-le refroidir</translation>
+        <translation>le moteur a pris la chaleur de %1 s à %2 A, 10 s sont permises&#x202f;; laissez-le refroidir</translation>
     </message>
     <message>
         <source>the motor turned too short a time below the power limit to be measured</source>
@@ -16869,19 +16869,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the motor was stopped: %1</source>
-        <translation>le moteur a été arrêté : %1</translation>
+        <translation>le moteur a été arrêté&#xa0;: %1</translation>
     </message>
     <message>
         <source>the motors that were not seen to stand were looked at; their stops are dismissed</source>
-        <translation>les moteurs dont l’arrêt n’était pas constaté ont été examinés ; leurs arrêts sont clos</translation>
+        <translation>les moteurs dont l’arrêt n’était pas constaté ont été examinés&#x202f;; leurs arrêts sont clos</translation>
     </message>
     <message>
         <source>the motors were told to stop, and are not seen to stand</source>
         <translation>l’ordre d’arrêt a été donné aux moteurs, mais leur arrêt n’est pas constaté</translation>
     </message>
     <message>
-        <source>the name was written, but the device answers '%1'</source>
-        <translation>le nom a été écrit, mais l’appareil répond « %1 »</translation>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
+        <translation>le nom a été écrit, mais l’appareil répond «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the nearest it can is %1</source>
@@ -16893,7 +16893,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the order was dropped: what it was for has ended</source>
-        <translation>l’ordre a été abandonné : ce pour quoi il était fait est terminé</translation>
+        <translation>l’ordre a été abandonné&#xa0;: ce pour quoi il était fait est terminé</translation>
     </message>
     <message>
         <source>the other end of %1 closed it</source>
@@ -16929,7 +16929,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the position was not reset: %1</source>
-        <translation>la position n’a pas été remise à zéro : %1</translation>
+        <translation>la position n’a pas été remise à zéro&#xa0;: %1</translation>
     </message>
     <message>
         <source>the positions have an unexpected length</source>
@@ -16937,7 +16937,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the profiled move passed its target by more than its stopping distance, as this firmware may above 2500 counts/s; use a lower profile.velocity</source>
-        <translation>le mouvement avec profil a dépassé sa cible de plus que sa distance d’arrêt, ce que ce firmware peut faire au-dessus de 2500 counts/s ; utilisez un profile.velocity plus faible</translation>
+        <translation>le mouvement avec profil a dépassé sa cible de plus que sa distance d’arrêt, ce que ce firmware peut faire au-dessus de 2500 counts/s&#x202f;; utilisez un profile.velocity plus faible</translation>
     </message>
     <message>
         <source>the pushes differ by %1 in their resistance, at most 15 %</source>
@@ -16961,7 +16961,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the recording has ended: %1</source>
-        <translation>l’enregistrement est terminé : %1</translation>
+        <translation>l’enregistrement est terminé&#xa0;: %1</translation>
     </message>
     <message>
         <source>the remote bit</source>
@@ -16993,19 +16993,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its power at most</source>
-        <translation>l’échelle de ses gains n’est pas encore connue et est cherchée d’abord : une à deux minutes, avec %1 % de sa puissance au plus</translation>
+        <translation>l’échelle de ses gains n’est pas encore connue et est cherchée d’abord&#xa0;: une à deux minutes, avec %1 % de sa puissance au plus</translation>
     </message>
     <message>
         <source>the search was cancelled; what it found stays</source>
-        <translation>la recherche a été annulée ; ce qu’elle a trouvé reste</translation>
+        <translation>la recherche a été annulée&#x202f;; ce qu’elle a trouvé reste</translation>
     </message>
     <message>
         <source>the self-test could not go on: %1</source>
-        <translation>l’autotest n’a pas pu continuer : %1</translation>
+        <translation>l’autotest n’a pas pu continuer&#xa0;: %1</translation>
     </message>
     <message>
-        <source>the self-test was ended by the guard '%1': %2</source>
-        <translation>l’autotest a été interrompu par la surveillance « %1 » : %2</translation>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
+        <translation>l’autotest a été interrompu par la surveillance «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
         <source>the self-test was stopped by hand</source>
@@ -17013,15 +17013,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the sensor counts down when the motor is driven up (%1 counts): one of them is reversed</source>
-        <translation>le capteur compte vers le bas quand le moteur est entraîné vers le haut (%1 counts) : l’un des deux est inversé</translation>
+        <translation>le capteur compte vers le bas quand le moteur est entraîné vers le haut (%1 counts)&#xa0;: l’un des deux est inversé</translation>
     </message>
     <message>
         <source>the sensor is reversed: it counts down</source>
-        <translation>le capteur est inversé : il compte vers le bas</translation>
+        <translation>le capteur est inversé&#xa0;: il compte vers le bas</translation>
     </message>
     <message>
         <source>the sensor is reversed: it counts up</source>
-        <translation>le capteur est inversé : il compte vers le haut</translation>
+        <translation>le capteur est inversé&#xa0;: il compte vers le haut</translation>
     </message>
     <message>
         <source>the set-point comes from here, not from the device</source>
@@ -17077,11 +17077,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the stop could not be sent, and is the first thing that goes out when the line is back; cut its power</source>
-        <translation>l’arrêt n’a pas pu être envoyé, et partira en premier quand la ligne sera rétablie ; coupez l’alimentation</translation>
+        <translation>l’arrêt n’a pas pu être envoyé, et partira en premier quand la ligne sera rétablie&#x202f;; coupez l’alimentation</translation>
     </message>
     <message>
         <source>the stop of the self-test was not confirmed: %1</source>
-        <translation>l’arrêt de l’autotest n’a pas été confirmé : %1</translation>
+        <translation>l’arrêt de l’autotest n’a pas été confirmé&#xa0;: %1</translation>
     </message>
     <message>
         <source>the stop script of this device is not one that a guardian can carry out</source>
@@ -17089,7 +17089,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the stop was not acknowledged, so the position was not reset: a motor that runs would jump</source>
-        <translation>l’arrêt n’a pas été acquitté, donc la position n’a pas été remise à zéro : un moteur en marche sauterait</translation>
+        <translation>l’arrêt n’a pas été acquitté, donc la position n’a pas été remise à zéro&#xa0;: un moteur en marche sauterait</translation>
     </message>
     <message>
         <source>the stream settings have an unexpected length</source>
@@ -17125,11 +17125,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the transcript of the update is not kept: %1</source>
-        <translation>la transcription de la mise à jour n’est pas conservée : %1</translation>
+        <translation>la transcription de la mise à jour n’est pas conservée&#xa0;: %1</translation>
     </message>
     <message>
         <source>the tuning is not in the notebook: %1</source>
-        <translation>le réglage n’est pas dans le carnet : %1</translation>
+        <translation>le réglage n’est pas dans le carnet&#xa0;: %1</translation>
     </message>
     <message>
         <source>the two directions differ by %1, at most 10 %</source>
@@ -17145,11 +17145,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the unit may have restarted meanwhile: once more from page %1</source>
-        <translation>l’appareil a peut-être redémarré entre-temps : reprise à partir de la page %1</translation>
+        <translation>l’appareil a peut-être redémarré entre-temps&#xa0;: reprise à partir de la page %1</translation>
     </message>
     <message>
         <source>the unit restarted: what is volatile was lost, its parameters are read again</source>
-        <translation>l’appareil a redémarré : les données volatiles sont perdues, ses paramètres sont relus</translation>
+        <translation>l’appareil a redémarré&#xa0;: les données volatiles sont perdues, ses paramètres sont relus</translation>
     </message>
     <message>
         <source>the unit said it is in its bootloader, but its application answers</source>
@@ -17177,7 +17177,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the unit was not heard during the self-test: %1</source>
-        <translation>l’appareil ne s’est pas fait entendre pendant l’autotest : %1</translation>
+        <translation>l’appareil ne s’est pas fait entendre pendant l’autotest&#xa0;: %1</translation>
     </message>
     <message>
         <source>the user stopped it</source>
@@ -17189,7 +17189,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the values are not put back: %1</source>
-        <translation>les valeurs ne sont pas rétablies : %1</translation>
+        <translation>les valeurs ne sont pas rétablies&#xa0;: %1</translation>
     </message>
     <message>
         <source>the values are put back</source>
@@ -17217,7 +17217,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the wire lost too many frames; the same again</source>
-        <translation>la ligne a perdu trop de trames ; la même chose encore une fois</translation>
+        <translation>la ligne a perdu trop de trames&#x202f;; la même chose encore une fois</translation>
     </message>
     <message>
         <source>there is no %1</source>
@@ -17244,24 +17244,24 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>il n’y a pas d’entrée %1 dans le registre</translation>
     </message>
     <message>
-        <source>there is no file '%1'</source>
-        <translation>il n’y a pas de fichier « %1 »</translation>
+        <source>there is no file &apos;%1&apos;</source>
+        <translation>il n’y a pas de fichier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>there is no layout of this name</source>
         <translation>il n’y a pas de disposition de ce nom</translation>
     </message>
     <message>
-        <source>there is no simulated link 'sim:%1': can, serial and spi are known</source>
-        <translation>il n’y a pas de liaison simulée « sim:%1 » ; connues : can, serial et spi</translation>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
+        <translation>il n’y a pas de liaison simulée «&#xa0;sim:%1&#xa0;»&#x202f;; connues&#xa0;: can, serial et spi</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1'</source>
-        <translation>il n’y a pas d’instantané « %1 »</translation>
+        <source>there is no snapshot &apos;%1&apos;</source>
+        <translation>il n’y a pas d’instantané «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1' of this unit</source>
-        <translation>il n’y a pas d’instantané « %1 » de cet appareil</translation>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
+        <translation>il n’y a pas d’instantané «&#xa0;%1&#xa0;» de cet appareil</translation>
     </message>
     <message>
         <source>there is no socket %1</source>
@@ -17273,7 +17273,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>there is no table here: expected time_s,name (unit),… or t,channel,value,unit</source>
-        <translation>il n’y a pas de tableau ici : attendu time_s,name (unit),… ou t,channel,value,unit</translation>
+        <translation>il n’y a pas de tableau ici&#xa0;: attendu time_s,name (unit),… ou t,channel,value,unit</translation>
     </message>
     <message>
         <source>there is no trial %1</source>
@@ -17285,15 +17285,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>there is not enough room for a frequency response: its limits leave a speed of %1 counts/s for %2 s</source>
-        <translation>il n’y a pas assez de place pour une réponse fréquentielle : ses limites laissent une vitesse de %1 counts/s pendant %2 s</translation>
+        <translation>il n’y a pas assez de place pour une réponse fréquentielle&#xa0;: ses limites laissent une vitesse de %1 counts/s pendant %2 s</translation>
     </message>
     <message>
         <source>there is not enough room to identify the motor: its limits leave pushes of %1 duty only</source>
-        <translation>il n’y a pas assez de place pour identifier le moteur : ses limites ne laissent que des poussées à %1 de rapport cyclique</translation>
+        <translation>il n’y a pas assez de place pour identifier le moteur&#xa0;: ses limites ne laissent que des poussées à %1 de rapport cyclique</translation>
     </message>
     <message>
         <source>there is not enough room: its limits leave steps of %1 counts</source>
-        <translation>il n’y a pas assez de place : ses limites laissent des échelons de %1 counts</translation>
+        <translation>il n’y a pas assez de place&#xa0;: ses limites laissent des échelons de %1 counts</translation>
     </message>
     <message>
         <source>these are the calm gains, %1</source>
@@ -17301,7 +17301,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>they have speed and interface</source>
-        <translation>connus : speed et interface</translation>
+        <translation>connus&#xa0;: speed et interface</translation>
     </message>
     <message>
         <source>this build knows %1</source>
@@ -17325,11 +17325,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>this computer is not kept awake while motors are driven or firmware is written: %1; switch its automatic suspend off meanwhile</source>
-        <translation>cet ordinateur n’est pas maintenu éveillé pendant le pilotage de moteurs ou l’écriture de firmware : %1 ; désactivez entre-temps sa mise en veille automatique</translation>
+        <translation>cet ordinateur n’est pas maintenu éveillé pendant le pilotage de moteurs ou l’écriture de firmware&#xa0;: %1&#x202f;; désactivez entre-temps sa mise en veille automatique</translation>
     </message>
     <message>
-        <source>this device has no experiment '%1'</source>
-        <translation>cet appareil n’a pas d’expérience « %1 »</translation>
+        <source>this device has no experiment &apos;%1&apos;</source>
+        <translation>cet appareil n’a pas d’expérience «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>this device has no watchdog, and nothing here would stop it if the program died</source>
@@ -17341,7 +17341,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then</source>
-        <translation>ce firmware peut dépasser la cible d’un mouvement avec profil au-dessus de 2500 counts/s ; il est alors arrêté</translation>
+        <translation>ce firmware peut dépasser la cible d’un mouvement avec profil au-dessus de 2500 counts/s&#x202f;; il est alors arrêté</translation>
     </message>
     <message>
         <source>this image holds a bootloader too, which cannot write itself</source>
@@ -17349,7 +17349,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, 250 and 125 kbit/s</source>
-        <translation>cette interface ne peut pas écouter sans perturber le bus, demandez donc à qui l’a installé ; usuels : 1 Mbit/s, 500, 250 et 125 kbit/s</translation>
+        <translation>cette interface ne peut pas écouter sans perturber le bus, demandez donc à qui l’a installé&#x202f;; usuels&#xa0;: 1 Mbit/s, 500, 250 et 125 kbit/s</translation>
     </message>
     <message>
         <source>this is another unit by now, number %1</source>
@@ -17361,19 +17361,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>this is no program for the controller: it does not begin with a jump of an AVR at address 0</source>
-        <translation>ce n’est pas un programme pour le contrôleur : il ne commence pas par un saut d’AVR à l’adresse 0</translation>
+        <translation>ce n’est pas un programme pour le contrôleur&#xa0;: il ne commence pas par un saut d’AVR à l’adresse 0</translation>
     </message>
     <message>
         <source>this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P</source>
-        <translation>ce n’est pas un programme pour le contrôleur : il a des octets hors des 32 KiB d’un ATmega328P</translation>
+        <translation>ce n’est pas un programme pour le contrôleur&#xa0;: il a des octets hors des 32 KiB d’un ATmega328P</translation>
     </message>
     <message>
         <source>this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF</source>
-        <translation>ce n’est pas un programme pour le variateur : il a des octets hors de la flash d’un STM32, 0x08000000 … 0x081FFFFF</translation>
+        <translation>ce n’est pas un programme pour le variateur&#xa0;: il a des octets hors de la flash d’un STM32, 0x08000000 … 0x081FFFFF</translation>
     </message>
     <message>
         <source>this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</source>
-        <translation>ce n’est pas un programme pour le variateur : aucun vecteur d’un STM32 à 0x08000000. Créez le fichier Intel HEX avec : arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</translation>
+        <translation>ce n’est pas un programme pour le variateur&#xa0;: aucun vecteur d’un STM32 à 0x08000000. Créez le fichier Intel HEX avec&#xa0;: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</translation>
     </message>
     <message>
         <source>this is no recipe of version 1</source>
@@ -17405,11 +17405,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>this trial is kept without its result: %1</source>
-        <translation>cet essai est conservé sans son résultat : %1</translation>
+        <translation>cet essai est conservé sans son résultat&#xa0;: %1</translation>
     </message>
     <message>
         <source>this trial is not kept: %1</source>
-        <translation>cet essai n’est pas conservé : %1</translation>
+        <translation>cet essai n’est pas conservé&#xa0;: %1</translation>
     </message>
     <message>
         <source>this trial owes nothing to the unit</source>
@@ -17460,12 +17460,12 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>essayez sa boucle de position</translation>
     </message>
     <message>
-        <source>tune it by hand with 'motorbenchctl step'</source>
-        <translation>réglez-le à la main avec « motorbenchctl step »</translation>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>réglez-le à la main avec «&#xa0;motorbenchctl step&#xa0;»</translation>
     </message>
     <message>
         <source>tuning %1: %2</source>
-        <translation>réglage %1 : %2</translation>
+        <translation>réglage %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>turning the motor with several powers</source>
@@ -17473,7 +17473,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>undone: %1</source>
-        <translation>annulé : %1</translation>
+        <translation>annulé&#xa0;: %1</translation>
     </message>
     <message>
         <source>units are served already</source>
@@ -17484,44 +17484,44 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>des appareils sont en cours de traitement sur cette liaison</translation>
     </message>
     <message>
-        <source>unix links have no option '%1'</source>
-        <translation>les liaisons unix n’ont pas d’option « %1 »</translation>
+        <source>unix links have no option &apos;%1&apos;</source>
+        <translation>les liaisons unix n’ont pas d’option «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>unknown error</source>
         <translation>erreur inconnue</translation>
     </message>
     <message>
-        <source>unknown family '%1'</source>
-        <translation>famille inconnue « %1 »</translation>
+        <source>unknown family &apos;%1&apos;</source>
+        <translation>famille inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>unknown fault '%1'</source>
-        <translation>défaut inconnu « %1 »</translation>
+        <source>unknown fault &apos;%1&apos;</source>
+        <translation>défaut inconnu «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>unknown key %1</source>
         <translation>clé inconnue %1</translation>
     </message>
     <message>
-        <source>unknown key '%1'</source>
-        <translation>clé inconnue « %1 »</translation>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>clé inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
-        <translation>type de liaison inconnu « %1 » ; connus : sim, socketcan, qtcan, serial, spidev, unix et replay</translation>
+        <source>unknown link kind &apos;%1&apos;: sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
+        <translation>type de liaison inconnu «&#xa0;%1&#xa0;»&#x202f;; connus&#xa0;: sim, socketcan, qtcan, serial, spidev, unix et replay</translation>
     </message>
     <message>
-        <source>unknown loop '%1'</source>
-        <translation>boucle inconnue « %1 »</translation>
+        <source>unknown loop &apos;%1&apos;</source>
+        <translation>boucle inconnue «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a serial link</source>
-        <translation>option inconnue « %1 » d’une liaison série</translation>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
+        <translation>option inconnue «&#xa0;%1&#xa0;» d’une liaison série</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a simulated link</source>
-        <translation>option inconnue « %1 » d’une liaison simulée</translation>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
+        <translation>option inconnue «&#xa0;%1&#xa0;» d’une liaison simulée</translation>
     </message>
     <message>
         <source>unplug it and plug it in again</source>
@@ -17561,7 +17561,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>was not seen to stop: the motor may still turn, cut its power</source>
-        <translation>arrêt non constaté : le moteur tourne peut-être encore, coupez son alimentation</translation>
+        <translation>arrêt non constaté&#xa0;: le moteur tourne peut-être encore, coupez son alimentation</translation>
     </message>
     <message>
         <source>was seen to stand</source>
@@ -17593,7 +17593,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>what is sent to node %1 is also done by node %2, now or after a restart, because of an acceptance mask; set its node.mask to 255 and restart it</source>
-        <translation>ce qui est envoyé au nœud %1 est aussi exécuté par le nœud %2, maintenant ou après un redémarrage, à cause d’un masque d’acceptation ; mettez son node.mask à 255 et redémarrez-le</translation>
+        <translation>ce qui est envoyé au nœud %1 est aussi exécuté par le nœud %2, maintenant ou après un redémarrage, à cause d’un masque d’acceptation&#x202f;; mettez son node.mask à 255 et redémarrez-le</translation>
     </message>
     <message>
         <source>what the gains of this loop make is not known any more</source>
@@ -17613,7 +17613,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
-        <translation>sans lui, rien n’arrêterait ce moteur si le programme mourait : installez-le là</translation>
+        <translation>sans lui, rien n’arrêterait ce moteur si le programme mourait&#xa0;: installez-le là</translation>
     </message>
     <message>
         <source>write %1</source>
@@ -17644,8 +17644,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>écrivez-le comme 2.5</translation>
     </message>
     <message>
-        <source>write it with 'motorbenchctl set'</source>
-        <translation>écrivez-le avec « motorbenchctl set »</translation>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
+        <translation>écrivez-le avec «&#xa0;motorbenchctl set&#xa0;»</translation>
     </message>
     <message>
         <source>write it with a dot, like 1.5, and no comma</source>
@@ -17669,11 +17669,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>written again: %1</source>
-        <translation>réécrit : %1</translation>
+        <translation>réécrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>written, but the current limit, which this firmware overwrites with it, could not be put back to %1 mA: %2</source>
-        <translation>écrit, mais la limite de courant, que ce firmware écrase ainsi, n’a pas pu être remise à %1 mA : %2</translation>
+        <translation>écrit, mais la limite de courant, que ce firmware écrase ainsi, n’a pas pu être remise à %1 mA&#xa0;: %2</translation>
     </message>
     <message>
         <source>brisk</source>
@@ -17705,7 +17705,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1: ? -&gt; %2</source>
-        <translation>%1 : ? -&gt; %2</translation>
+        <translation>%1&#xa0;: ? -&gt; %2</translation>
     </message>
     <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
@@ -17716,12 +17716,12 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>autorisez plus de course, pour que les poussées puissent durer</translation>
     </message>
     <message>
-        <source>drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it</source>
-        <translation>pilotez-le par rapport cyclique, ou essayez son I avec « motorbenchctl step » : toutes les versions du firmware ne le calculent pas</translation>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>pilotez-le par rapport cyclique, ou essayez son I avec «&#xa0;motorbenchctl step&#xa0;»&#xa0;: toutes les versions du firmware ne le calculent pas</translation>
     </message>
     <message>
         <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
-        <translation>le frottement prend %1 de rapport cyclique, et %2 peuvent pousser : trop peu pour qu’un moteur oscille</translation>
+        <translation>le frottement prend %1 de rapport cyclique, et %2 peuvent pousser&#xa0;: trop peu pour qu’un moteur oscille</translation>
     </message>
     <message>
         <source>its current stays %1 A behind while the motor speeds up</source>
@@ -17749,7 +17749,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the %1 gains of the first model did not: %2</source>
-        <translation>les gains « %1 » du premier modèle ne l’ont pas fait : %2</translation>
+        <translation>les gains «&#xa0;%1&#xa0;» du premier modèle ne l’ont pas fait&#xa0;: %2</translation>
     </message>
     <message>
         <source>the gain is known within %1, at most 15 %</source>
@@ -17769,7 +17769,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
-        <translation>il n’y avait pas de place pour de longues poussées ; à %1 de rapport cyclique dans un sens puis dans l’autre, il oscille de %2 counts toutes les %3, les périodes diffèrent de %4, au plus 10 %</translation>
+        <translation>il n’y avait pas de place pour de longues poussées&#xa0;; à %1 de rapport cyclique dans un sens puis dans l’autre, il oscille de %2 counts toutes les %3, les périodes diffèrent de %4, au plus 10 %</translation>
     </message>
     <message>
         <source>this unit is for motors of more current</source>
@@ -17825,7 +17825,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>its flash has it</source>
-        <translation>sa flash l'a</translation>
+        <translation>sa flash l&apos;a</translation>
     </message>
     <message>
         <source>left out; it goes on where it was when it is tested again</source>
@@ -17833,15 +17833,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>no version is told</source>
-        <translation>aucune version n'est indiquée</translation>
+        <translation>aucune version n&apos;est indiquée</translation>
     </message>
     <message>
         <source>not kept: there is no notebook</source>
-        <translation>non conservé : il n'y a pas de carnet</translation>
+        <translation>non conservé : il n&apos;y a pas de carnet</translation>
     </message>
     <message>
         <source>nothing can be read in the bootloader</source>
-        <translation>rien ne peut être lu dans le chargeur d'amorçage</translation>
+        <translation>rien ne peut être lu dans le chargeur d&apos;amorçage</translation>
     </message>
     <message>
         <source>nothing had to be stored</source>
@@ -17885,7 +17885,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>snapshot %1 has %2 values</source>
-        <translation>l'instantané %1 a %2 valeurs</translation>
+        <translation>l&apos;instantané %1 a %2 valeurs</translation>
     </message>
     <message>
         <source>within its limits</source>
@@ -17913,7 +17913,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>units are served here; the link stays open</source>
-        <translation>des appareils sont traités ici ; la liaison reste ouverte</translation>
+        <translation>des appareils sont traités ici&#xa0;; la liaison reste ouverte</translation>
     </message>
     <message>
         <source>write a page</source>
@@ -17928,7 +17928,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>maintenir Armer, puis rebrancher l’appareil</translation>
     </message>
     <message>
-        <source>it was cut off at '%1' and does not answer any more</source>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
         <translation>il a été interrompu à « %1 » et ne répond plus</translation>
     </message>
     <message>
@@ -17953,15 +17953,15 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>on the model as these steps have corrected it, other gains leave less error; now those</source>
-        <translation>sur le modèle tel que ces échelons l'ont corrigé, d'autres gains laissent moins d'erreur ; maintenant ceux-ci</translation>
+        <translation>sur le modèle tel que ces échelons l&apos;ont corrigé, d&apos;autres gains laissent moins d&apos;erreur ; maintenant ceux-ci</translation>
     </message>
     <message>
         <source>those that were proven first left more error, these leave %1 of it</source>
-        <translation>ceux qui ont été éprouvés d'abord laissaient plus d'erreur, ceux-ci en laissent %1</translation>
+        <translation>ceux qui ont été éprouvés d&apos;abord laissaient plus d&apos;erreur, ceux-ci en laissent %1</translation>
     </message>
     <message>
         <source>their model was corrected by those that were proven first, which left no clearly more error</source>
-        <translation>leur modèle a été corrigé par ceux qui ont été éprouvés d'abord, qui ne laissaient pas nettement plus d'erreur</translation>
+        <translation>leur modèle a été corrigé par ceux qui ont été éprouvés d&apos;abord, qui ne laissaient pas nettement plus d&apos;erreur</translation>
     </message>
     <message>
         <source>a chunk of it is damaged</source>
@@ -17972,8 +17972,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>un de ses blocs dépasse %1 Mo</translation>
     </message>
     <message>
-        <source>its chunks are packed by '%1'; zstd and lz4 are known</source>
-        <translation>ses blocs sont compressés par '%1' ; zstd et lz4 sont connus</translation>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>ses blocs sont compressés par &apos;%1&apos; ; zstd et lz4 sont connus</translation>
     </message>
     <message>
         <source>messages in JSON can be read, and what this program wrote</source>
@@ -17997,11 +17997,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>seed, loss, bitrate and fault are known</source>
-        <translation>connus : seed, loss, bitrate et fault</translation>
+        <translation>connus&#xa0;: seed, loss, bitrate et fault</translation>
     </message>
     <message>
         <source>within its limits, at attempt %1: samples were lost before</source>
-        <translation>dans ses limites, à l’essai %1 : des échantillons avaient été perdus avant</translation>
+        <translation>dans ses limites, à l’essai %1&#xa0;: des échantillons avaient été perdus avant</translation>
     </message>
     <message>
         <source>its speed goes on swinging by %1 where it should rest, whole counts alone would make %2</source>
@@ -18013,7 +18013,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the gains that were there may leave as little error; now those</source>
-        <translation>les gains qui étaient là laissent peut-être aussi peu d'erreur ; maintenant ceux-ci</translation>
+        <translation>les gains qui étaient là laissent peut-être aussi peu d&apos;erreur&#x202f;; maintenant ceux-ci</translation>
     </message>
     <message>
         <source>their largest sensitivity is %1, at most %2 are allowed, and %3 with more gain and delay</source>
@@ -18033,23 +18033,23 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>those that were found left more error: these, which were there, leave %1 of it</source>
-        <translation>ceux qui ont été trouvés laissaient plus d'erreur : ceux-ci, qui étaient là, en laissent %1</translation>
+        <translation>ceux qui ont été trouvés laissaient plus d&apos;erreur&#xa0;: ceux-ci, qui étaient là, en laissent %1</translation>
     </message>
     <message>
         <source>those that were there leave more error</source>
-        <translation>ceux qui étaient là laissent plus d'erreur</translation>
+        <translation>ceux qui étaient là laissent plus d&apos;erreur</translation>
     </message>
     <message>
         <source>those that were there would leave less error, but are not for keeping: %1</source>
-        <translation>ceux qui étaient là laisseraient moins d'erreur, mais ne sont pas à garder : %1</translation>
+        <translation>ceux qui étaient là laisseraient moins d&apos;erreur, mais ne sont pas à garder&#xa0;: %1</translation>
     </message>
     <message>
         <source>what is left over is much of so small steps; the same with larger ones</source>
-        <translation>ce qui reste est beaucoup pour de si petits échelons ; la même chose avec de plus grands</translation>
+        <translation>ce qui reste est beaucoup pour de si petits échelons&#x202f;; la même chose avec de plus grands</translation>
     </message>
     <message>
         <source>what was there is not known, and these were not compared with it</source>
-        <translation>ce qui était là n'est pas connu, et ceux-ci n'y ont pas été comparés</translation>
+        <translation>ce qui était là n&apos;est pas connu, et ceux-ci n&apos;y ont pas été comparés</translation>
     </message>
     <message>
         <source>bus voltage</source>
@@ -18116,8 +18116,8 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>utilisateur</translation>
     </message>
     <message>
-        <source>a step would draw too much current: the unit's own profile leads, at %1 counts/s at most</source>
-        <translation>un échelon tirerait trop de courant : le profil de l’appareil lui-même guide, à %1 counts/s au plus</translation>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
+        <translation>un échelon tirerait trop de courant&#xa0;: le profil de l’appareil lui-même guide, à %1 counts/s au plus</translation>
     </message>
     <message>
         <source>allow more travel, duty or current</source>
@@ -18125,7 +18125,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>an answer was lost; the same again</source>
-        <translation>une réponse a été perdue ; la même chose encore une fois</translation>
+        <translation>une réponse a été perdue&#x202f;; la même chose encore une fois</translation>
     </message>
     <message>
         <source>friction takes %1 of what its current limit and its room allow, at most 60 %</source>
@@ -18144,7 +18144,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>vérifiez si le moteur est trop puissant pour cet appareil</translation>
     </message>
     <message>
-        <source>the unit's own profile led at %1 counts/s, for a step would draw too much current</source>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>le profil de l’appareil lui-même guidait à %1 counts/s, car un échelon tirerait trop de courant</translation>
     </message>
     <message>
@@ -18157,11 +18157,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
-        <translation>d’abord son sens est vérifié : %1 counts vers le haut</translation>
+        <translation>d’abord son sens est vérifié&#xa0;: %1 counts vers le haut</translation>
     </message>
     <message>
         <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>d’abord son sens est vérifié : poussées de 0,3 s, jusqu’à ce qu’il tourne, à %1 de rapport cyclique au plus</translation>
+        <translation>d’abord son sens est vérifié&#xa0;: poussées de 0,3 s, jusqu’à ce qu’il tourne, à %1 de rapport cyclique au plus</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -18189,7 +18189,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>it is %1</source>
-        <translation>c'est %1</translation>
+        <translation>c&apos;est %1</translation>
     </message>
     <message>
         <source>number %1 has another session</source>
@@ -18253,11 +18253,11 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>%1: unknown key %2</source>
-        <translation>%1 : clé inconnue %2</translation>
+        <translation>%1&#xa0;: clé inconnue %2</translation>
     </message>
     <message>
         <source>%1; the gains of the axis were not known, and are now those that the board starts with</source>
-        <translation>%1 ; les gains de l’axe n’étaient pas connus et sont maintenant ceux avec lesquels la carte démarre</translation>
+        <translation>%1&#x202f;; les gains de l’axe n’étaient pas connus et sont maintenant ceux avec lesquels la carte démarre</translation>
     </message>
     <message>
         <source>correct it, or delete its row</source>
@@ -18269,23 +18269,23 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the gains of axis %1 are not known here: it will be left with those that the board starts with</source>
-        <translation>les gains de l’axe %1 ne sont pas connus ici : il gardera à la fin ceux avec lesquels la carte démarre</translation>
+        <translation>les gains de l’axe %1 ne sont pas connus ici&#xa0;: il gardera à la fin ceux avec lesquels la carte démarre</translation>
     </message>
     <message>
         <source>the gains of this loop are not known here, so its target begins within %1 of where it is, and goes further as its output is seen to allow it; write its p, d and divisor once</source>
-        <translation>les gains de cette boucle ne sont pas connus ici, sa cible commence donc à moins de %1 de sa position, et s’éloigne à mesure que sa sortie le permet ; écrivez une fois son p, son d et son divisor</translation>
+        <translation>les gains de cette boucle ne sont pas connus ici, sa cible commence donc à moins de %1 de sa position, et s’éloigne à mesure que sa sortie le permet&#x202f;; écrivez une fois son p, son d et son divisor</translation>
     </message>
     <message>
-        <source>write "value" or "raw"</source>
-        <translation>écrivez « value » ou « raw »</translation>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>écrivez «&#xa0;value&#xa0;» ou «&#xa0;raw&#xa0;»</translation>
     </message>
     <message>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>%1 de rapport cyclique rendent le moteur plus rapide que les %2 counts/s autorisés</translation>
     </message>
     <message>
-        <source>'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun</source>
-        <translation>'sqlite3 %1 .recover' montre ce qu’il contient encore ; s’il est mis de côté, un nouveau est commencé</translation>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; montre ce qu’il contient encore ; s’il est mis de côté, un nouveau est commencé</translation>
     </message>
     <message>
         <source>another program holds it: try again when that has ended</source>
@@ -18300,7 +18300,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>faites de la place sur son disque</translation>
     </message>
     <message>
-        <source>%1: its value is in '%2', its unit is '%3'</source>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
         <translation>%1 : sa valeur est en « %2 », son unité est « %3 »</translation>
     </message>
     <message>
@@ -18445,7 +18445,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>firmware is written to a unit here; the link stays open</source>
-        <translation>un micrologiciel est écrit ici dans un appareil ; la liaison reste ouverte</translation>
+        <translation>un micrologiciel est écrit ici dans un appareil&#xa0;; la liaison reste ouverte</translation>
     </message>
     <message>
         <source>it has passed</source>
@@ -18473,7 +18473,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>put it on again; it gets a row of its own</source>
-        <translation>rebranchez-le ; il aura sa propre ligne</translation>
+        <translation>rebranchez-le&#xa0;; il aura sa propre ligne</translation>
     </message>
     <message>
         <source>take it off and put it on again to serve it once more</source>
@@ -18513,19 +18513,19 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>another adapter has this name now; what was found on the one before is not in the list any more</source>
-        <translation>un autre adaptateur porte maintenant ce nom ; ce qui a été trouvé sur le précédent n'est plus dans la liste</translation>
+        <translation>un autre adaptateur porte maintenant ce nom ; ce qui a été trouvé sur le précédent n&apos;est plus dans la liste</translation>
     </message>
     <message>
         <source>another adapter is called %1 now</source>
-        <translation>un autre adaptateur s'appelle maintenant %1</translation>
+        <translation>un autre adaptateur s&apos;appelle maintenant %1</translation>
     </message>
     <message>
         <source>close the link, and open it again to see who is there</source>
-        <translation>fermez la liaison et rouvrez-la pour voir qui s'y trouve</translation>
+        <translation>fermez la liaison et rouvrez-la pour voir qui s&apos;y trouve</translation>
     </message>
     <message>
-        <source>another unit answers as number %1: serial number '%2' instead of '%3'</source>
-        <translation>un autre appareil répond sous le numéro %1 : numéro de série « %2 » au lieu de « %3 »</translation>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
+        <translation>un autre appareil répond sous le numéro %1&#xa0;: numéro de série «&#xa0;%2&#xa0;» au lieu de «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>scan again, and update it if it is the one that is meant</source>
@@ -18533,7 +18533,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the unit with number %1 has another session than before, and may be another unit: its serial number was not known</source>
-        <translation>l’appareil numéro %1 a une autre session qu’avant et peut être un autre appareil : son numéro de série n’était pas connu</translation>
+        <translation>l’appareil numéro %1 a une autre session qu’avant et peut être un autre appareil&#xa0;: son numéro de série n’était pas connu</translation>
     </message>
     <message>
         <source>begin it once more to serve this unit again</source>
@@ -18573,7 +18573,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>its velocity loop begins with the mean speed since it ran last: from %1 to %2 counts/s, with the speed of now, is so much that with its gains the output would turn to full reverse</source>
-        <translation>sa boucle de vitesse commence par la vitesse moyenne depuis qu’elle a tourné pour la dernière fois : de %1 à %2 counts/s, avec la vitesse de maintenant, c’est tant qu’avec ses gains la sortie basculerait à fond en arrière</translation>
+        <translation>sa boucle de vitesse commence par la vitesse moyenne depuis qu’elle a tourné pour la dernière fois&#xa0;: de %1 à %2 counts/s, avec la vitesse de maintenant, c’est tant qu’avec ses gains la sortie basculerait à fond en arrière</translation>
     </message>
     <message>
         <source>stop the motor and let it stand for a while, or lower p</source>
@@ -18589,26 +18589,26 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>Answers with offset %1 are destroyed on the bus, as where several drives have it and answer at once; offsets are compiled into the firmware, so give one of them another and flash it.</source>
-        <translation>Les réponses d’offset %1 sont détruites sur le bus, comme là où plusieurs variateurs l’ont et répondent à la fois ; les offsets sont compilés dans le firmware, donnez-en donc un autre à l’un d’eux et flashez-le.</translation>
+        <translation>Les réponses d’offset %1 sont détruites sur le bus, comme là où plusieurs variateurs l’ont et répondent à la fois&#x202f;; les offsets sont compilés dans le firmware, donnez-en donc un autre à l’un d’eux et flashez-le.</translation>
     </message>
     <message>
         <source>the notebook may offer to put back what was there before: %1</source>
-        <translation>le carnet proposera peut-être de rétablir ce qui était là avant : %1</translation>
+        <translation>le carnet proposera peut-être de rétablir ce qui était là avant&#xa0;: %1</translation>
     </message>
     <message>
         <source>turn its shaft until its position is %1 counts away from 0, which shows that it was off, then switch it off and on</source>
-        <translation>tournez son arbre jusqu'à ce que sa position soit à %1 points de 0, ce qui montrera qu'il a été éteint, puis éteignez-le et rallumez-le</translation>
+        <translation>tournez son arbre jusqu&apos;à ce que sa position soit à %1 points de 0, ce qui montrera qu&apos;il a été éteint, puis éteignez-le et rallumez-le</translation>
     </message>
     <message>
-        <source>'%1' must be above 0 and at most %2</source>
-        <translation>« %1 » doit être supérieur à 0 et valoir au plus %2</translation>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
+        <translation>«&#xa0;%1&#xa0;» doit être supérieur à 0 et valoir au plus %2</translation>
     </message>
     <message>
         <source>nothing was written, because what is there cannot be kept: %1</source>
-        <translation>rien n’a été écrit, car l’état présent ne peut pas être conservé : %1</translation>
+        <translation>rien n’a été écrit, car l’état présent ne peut pas être conservé&#xa0;: %1</translation>
     </message>
     <message>
-        <source>where it is left out the unit's own limit serves</source>
+        <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>s’il est omis, la limite propre de l’appareil s’applique</translation>
     </message>
     <message>
@@ -18616,7 +18616,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>son numéro vaut dès la prochaine remise sous tension, et rien ne le prouve avant</translation>
     </message>
     <message>
-        <source>put it back first, as 'motorbenchctl set %1 %2' does</source>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
         <translation>le rétablir d’abord, comme le fait « motorbenchctl set %1 %2 »</translation>
     </message>
     <message>
@@ -18624,7 +18624,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>l’essai %1 n’a pas rétabli ce qu’il a changé</translation>
     </message>
     <message>
-        <source>'%1' must not be empty</source>
+        <source>&apos;%1&apos; must not be empty</source>
         <translation>« %1 » ne doit pas être vide</translation>
     </message>
     <message>
@@ -18648,7 +18648,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>1 trame CAN FD est omise, car seul le CAN classique est lu</translation>
     </message>
     <message>
-        <source>a simulated board's socket has no option '%1'</source>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
         <translation>le socket d’une carte simulée n’a pas d’option « %1 »</translation>
     </message>
     <message>
@@ -18664,7 +18664,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>0 et 1 sont admis</translation>
     </message>
     <message>
-        <source>link option '%1' is there twice</source>
+        <source>link option &apos;%1&apos; is there twice</source>
         <translation>l’option « %1 » de la liaison figure deux fois</translation>
     </message>
     <message>
@@ -18688,7 +18688,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <translation>coupez et rétablissez son alimentation, puis recommencez : ce qui est lu alors vient de sa flash</translation>
     </message>
     <message>
-        <source>take it out of the recipe's parameters, or serve such units by a recipe of their own</source>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
         <translation>retirez-le des paramètres de la recette, ou traitez ces appareils avec une recette à eux</translation>
     </message>
     <message>
@@ -18709,7 +18709,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>it has restarted, or a second unit has number %1: another session answers</source>
-        <translation>il a redémarré, ou un second appareil a le numéro %1 : une autre session répond</translation>
+        <translation>il a redémarré, ou un second appareil a le numéro %1&#xa0;: une autre session répond</translation>
     </message>
     <message>
         <source>its position is being reset</source>
@@ -18761,7 +18761,7 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>averaging lowered: switch it off and on</source>
-        <translation>moyennage réduit : éteignez-le et rallumez-le</translation>
+        <translation>moyennage réduit&#xa0;: éteignez-le et rallumez-le</translation>
     </message>
     <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
@@ -18773,35 +18773,27 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
     </message>
     <message>
         <source>the power limit of axis %1 is %2: its motor gets no more</source>
-        <translation>la limite de puissance de l’axe %1 est de %2 : son moteur ne reçoit pas plus</translation>
+        <translation>la limite de puissance de l’axe %1 est de %2&#xa0;: son moteur ne reçoit pas plus</translation>
     </message>
     <message>
         <source>the velocity limit of axis %1 is %2: its motor goes no faster</source>
-        <translation>la limite de vitesse de l’axe %1 est de %2 : son moteur ne va pas plus vite</translation>
+        <translation>la limite de vitesse de l’axe %1 est de %2&#xa0;: son moteur ne va pas plus vite</translation>
     </message>
     <message>
         <source>write an averaging of 1 … 500, then switch it off and on</source>
         <translation>écrivez un moyennage de 1 … 500, puis éteignez-le et rallumez-le</translation>
     </message>
-<message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Son moyennage a été diminué, pour autant qu’on le sache, et mémorisé. Éteignez-le et rallumez-le maintenant : jusque-là, il peut écraser sa mémoire.</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>son moyennage a été diminué, pour autant qu’on le sache, et tant qu’il n’a pas été mis une fois hors tension, il peut écraser sa propre mémoire</translation>
-    </message>
     <message>
         <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
-        <translation>Rien n'est encore écrit. Si OpenOCD a déjà arrêté le variateur, il reste immobile : éteignez-le et rallumez-le</translation>
+        <translation>Rien n&apos;est encore écrit. Si OpenOCD a déjà arrêté le variateur, il reste immobile : éteignez-le et rallumez-le</translation>
     </message>
     <message>
         <source>firmware is written here, or units are served; nothing was searched</source>
-        <translation>un firmware est écrit ici, ou des unités sont servies ; rien n'a été cherché</translation>
+        <translation>un firmware est écrit ici, ou des unités sont servies ; rien n&apos;a été cherché</translation>
     </message>
     <message>
         <source>put the programmer on it, and look at the other one</source>
-        <translation>branchez le programmateur dessus, et regardez l'autre</translation>
+        <translation>branchez le programmateur dessus, et regardez l&apos;autre</translation>
     </message>
     <message>
         <source>the programmer wrote another unit: %1 answered all the while</source>
@@ -18811,9 +18803,9 @@ un double-clic le trace ; faites-le glisser sur un graphique ou en dessous</tr
         <source>wait until it is done</source>
         <translation>attendez que ce soit terminé</translation>
     </message>
-<message>
+    <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2 ; relancez la recherche</translation>
+        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2&#x202f;; relancez la recherche</translation>
     </message>
 </context>
 </TS>

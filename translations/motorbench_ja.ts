@@ -450,19 +450,19 @@
 <context>
     <name>FrameFilterParser</name>
     <message>
-        <source>')' has no '(' before it</source>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
         <translation>「)」の前に「(」がありません</translation>
     </message>
     <message>
-        <source>'%1' needs a term before it</source>
+        <source>&apos;%1&apos; needs a term before it</source>
         <translation>「%1」の前に項が必要です</translation>
     </message>
     <message>
-        <source>a term is missing after '%1'</source>
+        <source>a term is missing after &apos;%1&apos;</source>
         <translation>「%1」の後に項がありません</translation>
     </message>
     <message>
-        <source>'(' is not closed: a ')' is missing</source>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>「(」が閉じていません: 「)」がありません</translation>
     </message>
     <message>
@@ -473,55 +473,55 @@
 <context>
     <name>FrameTermReader</name>
     <message>
-        <source>'%1': a comparison begins with field., such as field.%1</source>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>「%1」: 比較は field. で始めます (例: field.%1)</translation>
     </message>
     <message>
-        <source>'%1:' has nothing after the colon</source>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
         <translation>「%1:」のコロンの後に何もありません</translation>
     </message>
     <message>
-        <source>'%1:' is not known; id, family, message, device, dir, data, is and field. are</source>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
         <translation>「%1:」は不明です。使えるのは id、family、message、device、dir、data、is、field. です</translation>
     </message>
     <message>
-        <source>'%1:' is not known; '%2:' is</source>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
         <translation>「%1:」は不明です。「%2:」が使えます</translation>
     </message>
     <message>
-        <source>'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
         <translation>「%1」は識別子ではありません: 16 進数で指定します (例: 0x2061405、0x2061*、100..1FF)</translation>
     </message>
     <message>
-        <source>'%1' is no device number: such as 5, 5,7 or 1..9</source>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
         <translation>「%1」は機器番号ではありません (例: 5、5,7、1..9)</translation>
     </message>
     <message>
-        <source>'%1' are no bytes: hexadecimal such as A125*, without blanks</source>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
         <translation>「%1」はバイト列ではありません: 空白なしの 16 進数で指定します (例: A125*)</translation>
     </message>
     <message>
-        <source>no family is called '%1'; there is %2</source>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
         <translation>「%1」というファミリはありません。あるのは %2 です</translation>
     </message>
     <message>
-        <source>'dir:%1' is not known; dir:rx and dir:tx are</source>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
         <translation>「dir:%1」は不明です。使えるのは dir:rx と dir:tx です</translation>
     </message>
     <message>
-        <source>'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
         <translation>「is:%1」は不明です。使えるのは tx、rx、extended、standard、remote、error、unknown、known、control です</translation>
     </message>
     <message>
-        <source>'field.' needs the name of a field, such as field.trgt&gt;100</source>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
         <translation>「field.」にはフィールド名が必要です (例: field.trgt&gt;100)</translation>
     </message>
     <message>
-        <source>'field.%1%2' needs a number behind it</source>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
         <translation>「field.%1%2」の後に数値が必要です</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>「%1」は数値ではありません</translation>
     </message>
     <message>
@@ -1004,7 +1004,7 @@
         <translation>%1 は駆動許可されていません。選択して、ヘッダの駆動許可ボタンを長押ししてください。</translation>
     </message>
     <message>
-        <source>'%1' is no frame such as 02061405#8125</source>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
         <translation>「%1」はフレームではありません (例: 02061405#8125)</translation>
     </message>
     <message>
@@ -1044,7 +1044,7 @@
     <name>SignalText</name>
     <message>
         <source>small</source>
-        <extracomment>Translate as "capital" where a noun has a capital letter in the middle of a line too.</extracomment>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>small</translation>
     </message>
 </context>
@@ -1585,7 +1585,7 @@
         <translation>センサの 1 カウントが D を介してデューティを %1 % 動かします。静かに動く上限は 10 % です。</translation>
     </message>
     <message>
-        <source>The drive's ramp takes %1 to full duty, which is slower than this loop.</source>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
         <translation>ドライブのランプは最大デューティまで %1 かかり、この制御ループより遅くなっています。</translation>
     </message>
     <message>
@@ -1676,7 +1676,7 @@
         <translation>ステップの 2 % を超えています。</translation>
     </message>
     <message>
-        <source>The drive's least output helps.</source>
+        <source>The drive&apos;s least output helps.</source>
         <translation>ドライブの最小出力が補います。</translation>
     </message>
     <message>
@@ -1692,11 +1692,11 @@
         <translation>このドライブに独自のランプはありません。</translation>
     </message>
     <message>
-        <source>The drive's ramp was not read yet.</source>
+        <source>The drive&apos;s ramp was not read yet.</source>
         <translation>ドライブのランプはまだ読み取っていません。</translation>
     </message>
     <message>
-        <source>The drive's ramp is off.</source>
+        <source>The drive&apos;s ramp is off.</source>
         <translation>ドライブのランプはオフです。</translation>
     </message>
     <message>
@@ -1906,7 +1906,7 @@
         <source>an experiment on it has not ended</source>
         <translation>この機器での実験がまだ終わっていません</translation>
     </message>
-<message>
+    <message>
         <source>the computer slept</source>
         <translation>コンピューターがスリープしていました</translation>
     </message>
@@ -3519,7 +3519,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>リミットを無効化</translation>
     </message>
     <message>
-        <source>The two below replace the device's own settings for limit switches. Changing it disarms.</source>
+        <source>The two below replace the device&apos;s own settings for limit switches. Changing it disarms.</source>
         <translation>下の 2 項目が機器自身のリミットスイッチ設定に優先します。変更すると駆動許可が解除されます。</translation>
     </message>
     <message>
@@ -4987,7 +4987,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 bit/s</translation>
     </message>
     <message>
-        <source>the computer's own RS-485 port</source>
+        <source>the computer&apos;s own RS-485 port</source>
         <translation>コンピューター内蔵の RS-485 ポート</translation>
     </message>
     <message>
@@ -4995,7 +4995,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>RS-485</translation>
     </message>
     <message>
-        <source>Lets the kernel switch the driver of a port on the computer's board. Adapters on USB switch by themselves: leave it off.</source>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
         <translation>コンピューター基板上のポートのドライバ切替えをカーネルに任せます。USB アダプタは自動で切り替わるため、オフのままにしてください。</translation>
     </message>
     <message>
@@ -5254,7 +5254,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>ランプ</translation>
     </message>
     <message>
-        <source>The drive's own ramp was on</source>
+        <source>The drive&apos;s own ramp was on</source>
         <translation>ドライブ自身のランプが有効でした</translation>
     </message>
     <message>
@@ -5509,7 +5509,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>「準備」は各モーターを現在位置でオンにします。「開始」まで何も回転しません。</translation>
     </message>
     <message>
-        <source>not prepared: '%1' is no number of counts</source>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
         <translation>準備できません: 「%1」は counts の数値ではありません</translation>
     </message>
 </context>
@@ -5555,7 +5555,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>不明</translation>
     </message>
     <message>
-        <source>Frames received that no controller family knows: somebody else's traffic</source>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
         <translation>どのコントローラファミリにも該当しない受信フレーム: 他の機器の通信です</translation>
     </message>
     <message>
@@ -6714,7 +6714,7 @@ double click or End returns to the present · right click for more</source>
         <translation>接続先</translation>
     </message>
     <message>
-        <source>the device's own line</source>
+        <source>the device&apos;s own line</source>
         <translation>機器自身の回線</translation>
     </message>
     <message>
@@ -7246,7 +7246,7 @@ double click or End returns to the present · right click for more</source>
         <source>hold Arm in the header</source>
         <translation>ヘッダの駆動許可ボタンを長押し</translation>
     </message>
-<message>
+    <message>
         <source>written, not proved</source>
         <translation>書き込み済み、未確認</translation>
     </message>
@@ -8944,8 +8944,8 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>目標値がありません。± %1 までの数値を入力してください。</translation>
     </message>
     <message>
-        <source>"%1" is no number. Enter one up to ± %2.</source>
-        <translation>"%1" は数値ではありません。± %2 までの数値を入力してください。</translation>
+        <source>&quot;%1&quot; is no number. Enter one up to ± %2.</source>
+        <translation>&quot;%1&quot; は数値ではありません。± %2 までの数値を入力してください。</translation>
     </message>
     <message>
         <source>%1 is no device number. Enter the number of the device to follow.</source>
@@ -10516,7 +10516,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>長押し: 駆動許可中のモーターを正方向または逆方向にゆっくり動かします</translation>
     </message>
     <message>
-        <source>on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>ゲインのスライダ上: 2 %、Shift 併用で 0.2 %、Ctrl 併用で 20 %。ホイールでも 2 % 変わります</translation>
     </message>
     <message>
@@ -11206,7 +11206,7 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1, as in the image</source>
         <translation>%1（イメージと同じ）</translation>
     </message>
-<message>
+    <message>
         <source>Written, not proved: %1</source>
         <translation>書き込み済み、未確認: %1</translation>
     </message>
@@ -11447,11 +11447,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>温度</translation>
     </message>
     <message>
-        <source>F: the firmware's codes</source>
+        <source>F: the firmware&apos;s codes</source>
         <translation>F: ファームウェアのコード</translation>
     </message>
     <message>
-        <source>A unit that speaks the document's codes would take position for current and current for position.</source>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
         <translation>文書のコードで通信する機器は、位置を電流、電流を位置と解釈します。</translation>
     </message>
     <message>
@@ -11459,7 +11459,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>L: 旧形式の 8 バイトフレーム</translation>
     </message>
     <message>
-        <source>A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
         <translation>現行ファームウェアの機器はこれらのフレームを無視します。停止だけは両方の形式で送信します。</translation>
     </message>
     <message>
@@ -11471,11 +11471,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>監視のみです: 停止させるコードがありません。</translation>
     </message>
     <message>
-        <source>D: the document's codes</source>
+        <source>D: the document&apos;s codes</source>
         <translation>D: 文書のコード</translation>
     </message>
     <message>
-        <source>A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
         <translation>ファームウェアのコードで通信する機器は、位置指令で全出力運転となり、D の書込みで除数を失います。</translation>
     </message>
     <message>
@@ -11603,7 +11603,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>デバッグプローブはありますが、開く権限がありません</translation>
     </message>
     <message>
-        <source>install OpenOCD's udev rules or ask your administrator</source>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
         <translation>OpenOCD の udev ルールをインストールするか、管理者に問い合わせてください</translation>
     </message>
     <message>
@@ -11671,7 +11671,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>アナログ入力</translation>
     </message>
     <message>
-        <source>count/100 ms</source>
+        <source>count/100&#xa0;ms</source>
         <translation>count/100 ms</translation>
     </message>
     <message>
@@ -11759,7 +11759,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>b 接点 (NC) は開くと、a 接点 (NO) は閉じると作動します。作動すると、その方向の出力を遮断します。</translation>
     </message>
     <message>
-        <source>On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.</source>
+        <source>On switches the limit OFF: the sense is the opposite of the soft limits&apos; Enabled.</source>
         <translation>オンでリミットが無効になります: ソフトリミットの「有効」とは逆の意味です。</translation>
     </message>
     <message>
@@ -11843,7 +11843,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>正転ソフトリミット有効</translation>
     </message>
     <message>
-        <source>On switches the limit ON: the sense is the opposite of the switches' Disabled.</source>
+        <source>On switches the limit ON: the sense is the opposite of the switches&apos; Disabled.</source>
         <translation>オンでリミットが有効になります: スイッチの「無効」とは逆の意味です。</translation>
     </message>
     <message>
@@ -12143,8 +12143,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>終了コマンド</translation>
     </message>
     <message>
-        <source>Typed at the end. "none" leaves it to jumper and reset.</source>
-        <translation>最後に送信します。"none" の場合はジャンパとリセットに任せます。</translation>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
+        <translation>最後に送信します。&quot;none&quot; の場合はジャンパとリセットに任せます。</translation>
     </message>
     <message>
         <source>counts/s (safe)</source>
@@ -12167,7 +12167,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>データシートの速度目標値の記述には矛盾があります。× 4096 を前提とする基板に counts/s をそのまま送るとほとんど動かず、逆の誤りでは最高速度の指令になります。基板がほとんど動かない場合だけ、小さい出力制限のもとで変更してください。</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
         <translation>入力の極性とエッジのビットが、データシートとメーカーのライブラリで逆になっています。ライブラリの方が正しい可能性が高く、状態ビットの実験で確認できます。</translation>
     </message>
     <message>
@@ -12239,7 +12239,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>入力極性の判定</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
         <translation>入力の極性ビットが、データシートとメーカーのライブラリで逆になっています。1 軸の入力を両方の設定にし、端子の現在のレベルでどちらがアクティブかを状態ビットで判定します。何も動かず、カウンタも変わりません。入力の設定は後で元に戻します。</translation>
     </message>
     <message>
@@ -12275,8 +12275,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ブートローダの起動メッセージ</translation>
     </message>
     <message>
-        <source>Its greeting on the serial port holds the word "bootloader".</source>
-        <translation>シリアルポートの起動メッセージに "bootloader" という語が含まれます。</translation>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
+        <translation>シリアルポートの起動メッセージに &quot;bootloader&quot; という語が含まれます。</translation>
     </message>
     <message>
         <source>The file is sent</source>
@@ -12367,15 +12367,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>負側の端で設定</translation>
     </message>
     <message>
-        <source>Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
         <translation>位置ループの値。基板独自の単位で、スケールは文書化されていません。読み戻せません。4 つ一括で送信します。</translation>
     </message>
     <message>
-        <source>Bound of the position loop's integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
         <translation>位置ループの積分の上限、出力単位: 8191 が最大出力。読み戻せません。</translation>
     </message>
     <message>
-        <source>Of the velocity loop, in the board's own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
         <translation>速度ループの値。基板独自の単位で、スケールは文書化されていません。読み戻せません。3 つ一括で送信します。</translation>
     </message>
     <message>
@@ -12395,7 +12395,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>チャネルの入力の用途。読み戻せません。入力の 5 つの値は一括で送信します。</translation>
     </message>
     <message>
-        <source>At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
         <translation>入力がアクティブになるレベル。データシートとメーカーのライブラリではビットが逆です: 基板がどちらに従うかは機器の設定で指定し、実験で確認できます。</translation>
     </message>
     <message>
@@ -12415,7 +12415,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>基板がこのチャネルについて送信する内容: ビット 0 と 1 位置のサイズ、2 相対、3 速度、5 状態。プログラムには完全な位置が必要です。</translation>
     </message>
     <message>
-        <source>The encoder's counter. Writing it moves the zero, not the motor.</source>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
         <translation>エンコーダのカウンタ。書き込むとモーターではなく原点が移動します。</translation>
     </message>
     <message>
@@ -12555,8 +12555,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>avrdude にこの名前の書込み器はありません</translation>
     </message>
     <message>
-        <source>'avrdude -c ?' lists them</source>
-        <translation>'avrdude -c ?' で一覧を表示できます</translation>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
+        <translation>&apos;avrdude -c ?&apos; で一覧を表示できます</translation>
     </message>
     <message>
         <source>the port may not be opened</source>
@@ -12711,11 +12711,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>UART: 送信タイムアウト (データシートではパリティエラー)</translation>
     </message>
     <message>
-        <source>UART: receive buffer overflow, by the datasheet's number</source>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
         <translation>UART: 受信バッファのオーバーフロー (データシートの番号による)</translation>
     </message>
     <message>
-        <source>UART: data overrun, by the datasheet's number</source>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
         <translation>UART: データオーバーラン (データシートの番号による)</translation>
     </message>
     <message>
@@ -13055,7 +13055,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 が応答しません: %2</translation>
     </message>
     <message>
-        <source>%1 does not exist in this device's dialect</source>
+        <source>%1 does not exist in this device&apos;s dialect</source>
         <translation>%1 はこの機器のダイアレクトにありません</translation>
     </message>
     <message>
@@ -13107,7 +13107,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 に %2 はありません</translation>
     </message>
     <message>
-        <source>%1 has no '%2' to be set</source>
+        <source>%1 has no &apos;%2&apos; to be set</source>
         <translation>%1 には設定できる「%2」がありません</translation>
     </message>
     <message>
@@ -13123,7 +13123,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 には位置をゼロにするコマンドがありません</translation>
     </message>
     <message>
-        <source>%1 has no dialect '%2'</source>
+        <source>%1 has no dialect &apos;%2&apos;</source>
         <translation>%1 にダイアレクト「%2」はありません</translation>
     </message>
     <message>
@@ -13131,7 +13131,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 にはデューティ指令がありません</translation>
     </message>
     <message>
-        <source>%1 has no duty command, so '%2' is not measured</source>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
         <translation>%1 にはデューティ指令がないため、「%2」は測定しません</translation>
     </message>
     <message>
@@ -13147,11 +13147,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 に %2 のフレームがありません</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tried</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
         <translation>%1 には試せる制御ループ「%2」がありません</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tuned</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
         <translation>%1 には調整できる制御ループ「%2」がありません</translation>
     </message>
     <message>
@@ -13163,7 +13163,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 には設定できる番号がありません</translation>
     </message>
     <message>
-        <source>%1 has no option '%2'</source>
+        <source>%1 has no option &apos;%2&apos;</source>
         <translation>%1 にオプション「%2」はありません</translation>
     </message>
     <message>
@@ -13575,11 +13575,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1: %3 ms の %2 は機器が追従できる細かさを超えています。機器は %4 ms ごとに目標値を受け取ります</translation>
     </message>
     <message>
-        <source>%1: '%2' is neither on nor off</source>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
         <translation>%1: 「%2」は on でも off でもありません</translation>
     </message>
     <message>
-        <source>%1: '%2' is not a number</source>
+        <source>%1: &apos;%2&apos; is not a number</source>
         <translation>%1: 「%2」は数値ではありません</translation>
     </message>
     <message>
@@ -13627,7 +13627,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1: 状態 %2 は未定義です</translation>
     </message>
     <message>
-        <source>%1: the device answers '%2'</source>
+        <source>%1: the device answers &apos;%2&apos;</source>
         <translation>%1: 機器の応答は「%2」です</translation>
     </message>
     <message>
@@ -13643,51 +13643,51 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1。%2</translation>
     </message>
     <message>
-        <source>'%1' is no journal that stations share</source>
+        <source>&apos;%1&apos; is no journal that stations share</source>
         <translation>「%1」は複数のステーションで共有するジャーナルではありません</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>「%1」は数値ではありません</translation>
     </message>
     <message>
-        <source>'%1' is no path of a socket: it has 1 to 107 characters</source>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
         <translation>「%1」はソケットのパスではありません: 1 ～ 107 文字です</translation>
     </message>
     <message>
-        <source>'%1' is no time in seconds</source>
+        <source>&apos;%1&apos; is no time in seconds</source>
         <translation>「%1」は秒単位の時間ではありません</translation>
     </message>
     <message>
-        <source>'%1' is no value for the option '%2' of %3</source>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
         <translation>「%1」は %3 のオプション「%2」の値ではありません</translation>
     </message>
     <message>
-        <source>'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
         <translation>「%1」は機器ではありません: LINK/FAMILY:ADDRESS が必要です (例: sim:can/dmc60c:5)</translation>
     </message>
     <message>
-        <source>'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
+        <source>&apos;%1&apos; is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
         <translation>「%1」はリンクではありません: SCHEME:PATH が必要です (例: socketcan:can0、sim:)</translation>
     </message>
     <message>
-        <source>'%1' is not a simulated device: %2</source>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
         <translation>「%1」はシミュレーション機器ではありません: %2</translation>
     </message>
     <message>
-        <source>'%1' is not qtcan:PLUGIN:INTERFACE</source>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
         <translation>「%1」は qtcan:PLUGIN:INTERFACE の形式ではありません</translation>
     </message>
     <message>
-        <source>'%1' must be a number</source>
+        <source>&apos;%1&apos; must be a number</source>
         <translation>「%1」は数値でなければなりません</translation>
     </message>
     <message>
-        <source>'%1' must be a text</source>
+        <source>&apos;%1&apos; must be a text</source>
         <translation>「%1」は文字列でなければなりません</translation>
     </message>
     <message>
-        <source>'%1' must be a whole number</source>
+        <source>&apos;%1&apos; must be a whole number</source>
         <translation>「%1」は整数でなければなりません</translation>
     </message>
     <message>
@@ -13695,32 +13695,32 @@ double click plots it, drag it to a pane or below them</source>
         <translation>名前には改行、タブ、その他の制御文字を使えません</translation>
     </message>
     <message>
-        <source>'%1' must be an object in braces</source>
+        <source>&apos;%1&apos; must be an object in braces</source>
         <translation>「%1」は波括弧で囲んだオブジェクトでなければなりません</translation>
     </message>
     <message>
-        <source>'%1' names no interface</source>
+        <source>&apos;%1&apos; names no interface</source>
         <translation>「%1」にインターフェース名がありません</translation>
     </message>
     <message>
-        <source>'encoder' is true: it counts both ways</source>
-        <translation>'encoder' は true です: 両方向に計数します</translation>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
+        <translation>&apos;encoder&apos; は true です: 両方向に計数します</translation>
     </message>
     <message>
-        <source>'motorbenchctl snapshots' lists those there are</source>
-        <translation>'motorbenchctl snapshots' で一覧を表示できます</translation>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl snapshots&apos; で一覧を表示できます</translation>
     </message>
     <message>
-        <source>'motorbenchctl trials' lists those there are</source>
-        <translation>'motorbenchctl trials' で一覧を表示できます</translation>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl trials&apos; で一覧を表示できます</translation>
     </message>
     <message>
-        <source>'store' must be true or false</source>
-        <translation>'store' は true または false でなければなりません</translation>
+        <source>&apos;store&apos; must be true or false</source>
+        <translation>&apos;store&apos; は true または false でなければなりません</translation>
     </message>
     <message>
-        <source>'to' is missing</source>
-        <translation>'to' がありません</translation>
+        <source>&apos;to&apos; is missing</source>
+        <translation>&apos;to&apos; がありません</translation>
     </message>
     <message>
         <source>--font-scale takes 0.5 to 3</source>
@@ -13731,7 +13731,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--language に指定できるのは %1 のいずれかです</translation>
     </message>
     <message>
-        <source>--out '%1' is no picture</source>
+        <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out「%1」は画像ではありません</translation>
     </message>
     <message>
@@ -13739,7 +13739,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 はレポートではありません</translation>
     </message>
     <message>
-        <source>--out '%1' is no PDF</source>
+        <source>--out &apos;%1&apos; is no PDF</source>
         <translation>--out「%1」は PDF ではありません</translation>
     </message>
     <message>
@@ -13759,7 +13759,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--target がありません</translation>
     </message>
     <message>
-        <source>--target: '%1' is unknown</source>
+        <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target: 「%1」は不明です</translation>
     </message>
     <message>
@@ -13767,11 +13767,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--tour には画像用のフォルダが必要です</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into a Supermodified</source>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
         <translation>--via: 「%1」では Supermodified に接続できません</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into an Abstract DC Drive</source>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
         <translation>--via: 「%1」では Abstract DC Drive に接続できません</translation>
     </message>
     <message>
@@ -14095,11 +14095,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>旧式のため、電源を切る以外に停止手段がありません。監視はできますが、駆動はできません。</translation>
     </message>
     <message>
-        <source>Speaks the document's codes, which no published firmware does.</source>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
         <translation>文書のコードで通信します。公開されているファームウェアにはない方式です。</translation>
     </message>
     <message>
-        <source>Speaks the firmware's codes, not the document's.</source>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
         <translation>文書ではなくファームウェアのコードで通信します。</translation>
     </message>
     <message>
@@ -14131,11 +14131,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ブートローダが動作しています。機器を再起動するか、ファームウェアを更新してください。</translation>
     </message>
     <message>
-        <source>The controller tells no version: the programmer's own verify and the controller's answer prove the update.</source>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
         <translation>コントローラはバージョンを通知しません: 書込み器のベリファイとコントローラの応答が更新の証明です。</translation>
     </message>
     <message>
-        <source>The drive tells no version: the programmer's own verify and the drive's answer prove the update.</source>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
         <translation>ドライブはバージョンを通知しません: 書込み器のベリファイとドライブの応答が更新の証明です。</translation>
     </message>
     <message>
@@ -14203,15 +14203,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>書込み完了</translation>
     </message>
     <message>
-        <source>"via" must name the other way in, such as "%1"</source>
-        <translation>"via" にはもう一方の接続経路を指定します (例: "%1")</translation>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>&quot;via&quot; にはもう一方の接続経路を指定します (例: &quot;%1&quot;)</translation>
     </message>
     <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>DMC60C の番号は 0 ～ 63 です。%1 は使えません</translation>
     </message>
     <message>
-        <source>a DMC60C has no mode '%1'</source>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
         <translation>DMC60C にモード「%1」はありません</translation>
     </message>
     <message>
@@ -14231,7 +14231,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>DMC60C の更新は自身のリンク経由で行います</translation>
     </message>
     <message>
-        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'</source>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
         <translation>GPIO 線は gpiochip0:25 のように CHIP:LINE で指定します。「%1」は使えません</translation>
     </message>
     <message>
@@ -14243,7 +14243,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>QuadQuad2Drv のチップは 1 種類です</translation>
     </message>
     <message>
-        <source>a QuadQuad2Drv is simulated on the board's end of an SPI link</source>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
         <translation>QuadQuad2Drv のシミュレーションは SPI リンクの基板側で行います</translation>
     </message>
     <message>
@@ -14259,7 +14259,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Supermodified の ID は 1 ～ 127 です。%1 は使えません</translation>
     </message>
     <message>
-        <source>a Supermodified has no mode '%1'</source>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>Supermodified にモード「%1」はありません</translation>
     </message>
     <message>
@@ -14287,7 +14287,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ビット</translation>
     </message>
     <message>
-        <source>a bootloader needs the board's serial line, such as boot=pty:./boot</source>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
         <translation>ブートローダには基板のシリアル回線が必要です (例: boot=pty:./boot)</translation>
     </message>
     <message>
@@ -14563,7 +14563,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Abstract DC Drive にはリミットスイッチがないため、リミットの無効化もありません</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no mode '%1'</source>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>Abstract DC Drive にモード「%1」はありません</translation>
     </message>
     <message>
@@ -14635,7 +14635,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この P では最大 %1 です: プロファイルモードを使うか、動作を分割してください</translation>
     </message>
     <message>
-        <source>average takes 0 to 3600 seconds, not '%1'</source>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
         <translation>average の秒数は 0 ～ 3600 です。「%1」は使えません</translation>
     </message>
     <message>
@@ -14815,8 +14815,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>別の場所を選択してください</translation>
     </message>
     <message>
-        <source>close that one first ('fuser %1' names it)</source>
-        <translation>先にそのプログラムを閉じてください ('fuser %1' で名前がわかります)</translation>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
+        <translation>先にそのプログラムを閉じてください (&apos;fuser %1&apos; で名前がわかります)</translation>
     </message>
     <message>
         <source>close the jumper between AUX1 and AUX2, then reset the board or switch it off and on</source>
@@ -14975,7 +14975,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>時間、チャネル、値、単位が必要です</translation>
     </message>
     <message>
-        <source>fault '%1' does not parse</source>
+        <source>fault &apos;%1&apos; does not parse</source>
         <translation>fault「%1」を解釈できません</translation>
     </message>
     <message>
@@ -14991,8 +14991,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>先にゲインスケールを測定してください: 「概要」の「ゲインスケールの測定」</translation>
     </message>
     <message>
-        <source>find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'</source>
-        <translation>バスを占有している送信元を「バス」ページまたは 'motorbenchctl monitor' で探してください</translation>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
+        <translation>バスを占有している送信元を「バス」ページまたは &apos;motorbenchctl monitor&apos; で探してください</translation>
     </message>
     <message>
         <source>firmware update</source>
@@ -15111,7 +15111,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>次のコマンドでインストールしてください</translation>
     </message>
     <message>
-        <source>install its vendor's driver</source>
+        <source>install its vendor&apos;s driver</source>
         <translation>メーカーのドライバをインストールしてください</translation>
     </message>
     <message>
@@ -15147,8 +15147,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>接続されました</translation>
     </message>
     <message>
-        <source>it begins with "recipe": 1</source>
-        <translation>"recipe": 1 で始まります</translation>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>&quot;recipe&quot;: 1 で始まります</translation>
     </message>
     <message>
         <source>it begins with {</source>
@@ -15363,7 +15363,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>リンクオプション %1=%2 は範囲外です</translation>
     </message>
     <message>
-        <source>link option '%1' is not KEY=VALUE</source>
+        <source>link option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>リンクオプション「%1」は KEY=VALUE の形式ではありません</translation>
     </message>
     <message>
@@ -15483,8 +15483,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>別のフォルダを指定してください</translation>
     </message>
     <message>
-        <source>name it by its number; 'motorbenchctl snapshots' lists them</source>
-        <translation>番号で指定してください。'motorbenchctl snapshots' で一覧を表示できます</translation>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
+        <translation>番号で指定してください。&apos;motorbenchctl snapshots&apos; で一覧を表示できます</translation>
     </message>
     <message>
         <source>name its serial port, for example --via serial:/dev/ttyUSB0</source>
@@ -15679,15 +15679,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>パラメータファイルではありません: %1</translation>
     </message>
     <message>
-        <source>not a parameter file: it has no "parameters"</source>
-        <translation>パラメータファイルではありません: "parameters" がありません</translation>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>パラメータファイルではありません: &quot;parameters&quot; がありません</translation>
     </message>
     <message>
         <source>not sent: %1 for %2</source>
         <translation>未送信: %1 (%2 用)</translation>
     </message>
     <message>
-        <source>not sent: %1 outside the controller's flash</source>
+        <source>not sent: %1 outside the controller&apos;s flash</source>
         <translation>未送信: コントローラのフラッシュ外の %1</translation>
     </message>
     <message>
@@ -15779,7 +15779,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>openocd がインストールされていません</translation>
     </message>
     <message>
-        <source>option '%1' is not KEY=VALUE</source>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>オプション「%1」は KEY=VALUE の形式ではありません</translation>
     </message>
     <message>
@@ -15787,7 +15787,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ページ %1 は CRC 方式 %2 で受理されました</translation>
     </message>
     <message>
-        <source>page %1 cannot be written: its flash failed the device's own check %2 times</source>
+        <source>page %1 cannot be written: its flash failed the device&apos;s own check %2 times</source>
         <translation>ページ %1 を書き込めません: 機器によるフラッシュの検査に %2 回失敗しました</translation>
     </message>
     <message>
@@ -15847,7 +15847,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>アダプタを再接続してください。オンになるとリンクが自動的に開きます</translation>
     </message>
     <message>
-        <source>polarity 0 is active high: the board follows the maker's library</source>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
         <translation>極性 0 はアクティブハイです: 基板はメーカーのライブラリに従っています</translation>
     </message>
     <message>
@@ -15891,12 +15891,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>検証中: %1 counts/s のステップ</translation>
     </message>
     <message>
-        <source>pty links have the option baud=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>pty リンクのオプションは baud=BITS_PER_SECOND です。「%1=%2」は使えません</translation>
     </message>
     <message>
-        <source>pty: is where 'simulate' puts its devices</source>
-        <translation>pty: は 'simulate' が機器を置く場所です</translation>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
+        <translation>pty: は &apos;simulate&apos; が機器を置く場所です</translation>
     </message>
     <message>
         <source>push harder or longer</source>
@@ -15927,7 +15927,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>設定を元に戻しています</translation>
     </message>
     <message>
-        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>qtcan リンクのオプションは bitrate=BITS_PER_SECOND です。「%1=%2」は使えません</translation>
     </message>
     <message>
@@ -15979,7 +15979,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>原因を取り除いて再試験してください</translation>
     </message>
     <message>
-        <source>replay links have no option '%1'</source>
+        <source>replay links have no option &apos;%1&apos;</source>
         <translation>replay リンクにオプション「%1」はありません</translation>
     </message>
     <message>
@@ -16079,7 +16079,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>記録の中で、複数の機器がこの番号で応答しています</translation>
     </message>
     <message>
-        <source>several units have a snapshot '%1'</source>
+        <source>several units have a snapshot &apos;%1&apos;</source>
         <translation>スナップショット「%1」は複数の機器にあります</translation>
     </message>
     <message>
@@ -16099,7 +16099,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>スナップショット %1、%2: 値 %3 個</translation>
     </message>
     <message>
-        <source>socketcan links have no option '%1'</source>
+        <source>socketcan links have no option &apos;%1&apos;</source>
         <translation>socketcan リンクにオプション「%1」はありません</translation>
     </message>
     <message>
@@ -16119,7 +16119,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>速度 %1 counts/s が 1.2 × %2 counts/s を超えています</translation>
     </message>
     <message>
-        <source>speed is 10000 to 10000000 Hz, not '%1'</source>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
         <translation>speed は 10000 ～ 10000000 Hz です。「%1」は使えません</translation>
     </message>
     <message>
@@ -16131,7 +16131,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>speed=%1 は速度ではありません</translation>
     </message>
     <message>
-        <source>spidev links have no option '%1'</source>
+        <source>spidev links have no option &apos;%1&apos;</source>
         <translation>spidev リンクにオプション「%1」はありません</translation>
     </message>
     <message>
@@ -16527,7 +16527,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>機器によるとモーターが始動していません。電源が失われた可能性があります</translation>
     </message>
     <message>
-        <source>the device's rate was not put back: %1</source>
+        <source>the device&apos;s rate was not put back: %1</source>
         <translation>機器の周波数を元に戻していません: %1</translation>
     </message>
     <message>
@@ -16591,7 +16591,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ファイルが空です</translation>
     </message>
     <message>
-        <source>the file is for family '%1', the device is a %2</source>
+        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
         <translation>ファイルはファミリ「%1」用ですが、機器は %2 です</translation>
     </message>
     <message>
@@ -16727,7 +16727,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>サーバー上のジャーナルは、このプログラムの新しいバージョンで作成されました</translation>
     </message>
     <message>
-        <source>the journal's server: %1</source>
+        <source>the journal&apos;s server: %1</source>
         <translation>ジャーナルのサーバー: %1</translation>
     </message>
     <message>
@@ -16739,7 +16739,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>カーネルからインターフェース一覧を取得できません: %1</translation>
     </message>
     <message>
-        <source>the key '%1' is there twice</source>
+        <source>the key &apos;%1&apos; is there twice</source>
         <translation>キー「%1」が重複しています</translation>
     </message>
     <message>
@@ -16755,7 +16755,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>フレームの長さが %1 です</translation>
     </message>
     <message>
-        <source>the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]</source>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
         <translation>「%1」の制限は 0 以上の最大値、または [最小値, 最大値] でなければなりません</translation>
     </message>
     <message>
@@ -16863,7 +16863,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>モーターに停止を指令しましたが、停止を確認できません</translation>
     </message>
     <message>
-        <source>the name was written, but the device answers '%1'</source>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
         <translation>名前を書き込みましたが、機器の応答は「%1」です</translation>
     </message>
     <message>
@@ -16987,7 +16987,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>セルフテストを続行できません: %1</translation>
     </message>
     <message>
-        <source>the self-test was ended by the guard '%1': %2</source>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
         <translation>セルフテストはガード「%1」により終了しました: %2</translation>
     </message>
     <message>
@@ -17227,7 +17227,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ジャーナルに項目 %1 はありません</translation>
     </message>
     <message>
-        <source>there is no file '%1'</source>
+        <source>there is no file &apos;%1&apos;</source>
         <translation>ファイル「%1」はありません</translation>
     </message>
     <message>
@@ -17235,15 +17235,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この名前のレイアウトはありません</translation>
     </message>
     <message>
-        <source>there is no simulated link 'sim:%1': can, serial and spi are known</source>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>シミュレーションリンク「sim:%1」はありません: 使えるのは can、serial、spi です</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1'</source>
+        <source>there is no snapshot &apos;%1&apos;</source>
         <translation>スナップショット「%1」はありません</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1' of this unit</source>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
         <translation>この機器のスナップショット「%1」はありません</translation>
     </message>
     <message>
@@ -17311,7 +17311,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>モーターの駆動中やファームウェアの書込み中にこのコンピューターのスリープを防止できません: %1。その間は自動サスペンドをオフにしてください</translation>
     </message>
     <message>
-        <source>this device has no experiment '%1'</source>
+        <source>this device has no experiment &apos;%1&apos;</source>
         <translation>この機器に実験「%1」はありません</translation>
     </message>
     <message>
@@ -17443,8 +17443,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>位置ループを試してください</translation>
     </message>
     <message>
-        <source>tune it by hand with 'motorbenchctl step'</source>
-        <translation>'motorbenchctl step' で手動調整してください</translation>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>&apos;motorbenchctl step&apos; で手動調整してください</translation>
     </message>
     <message>
         <source>tuning %1: %2</source>
@@ -17467,7 +17467,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>このリンクでは機器を処理中です</translation>
     </message>
     <message>
-        <source>unix links have no option '%1'</source>
+        <source>unix links have no option &apos;%1&apos;</source>
         <translation>unix リンクにオプション「%1」はありません</translation>
     </message>
     <message>
@@ -17475,11 +17475,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>不明なエラー</translation>
     </message>
     <message>
-        <source>unknown family '%1'</source>
+        <source>unknown family &apos;%1&apos;</source>
         <translation>不明なファミリ「%1」</translation>
     </message>
     <message>
-        <source>unknown fault '%1'</source>
+        <source>unknown fault &apos;%1&apos;</source>
         <translation>不明な fault「%1」</translation>
     </message>
     <message>
@@ -17487,23 +17487,23 @@ double click plots it, drag it to a pane or below them</source>
         <translation>不明なキー %1</translation>
     </message>
     <message>
-        <source>unknown key '%1'</source>
+        <source>unknown key &apos;%1&apos;</source>
         <translation>不明なキー「%1」</translation>
     </message>
     <message>
-        <source>unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
+        <source>unknown link kind &apos;%1&apos;: sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
         <translation>リンクの種類「%1」は不明です: 使えるのは sim、socketcan、qtcan、serial、spidev、unix、replay です</translation>
     </message>
     <message>
-        <source>unknown loop '%1'</source>
+        <source>unknown loop &apos;%1&apos;</source>
         <translation>不明な制御ループ「%1」</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a serial link</source>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
         <translation>シリアルリンクのオプション「%1」は不明です</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a simulated link</source>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
         <translation>シミュレーションリンクのオプション「%1」は不明です</translation>
     </message>
     <message>
@@ -17627,8 +17627,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>2.5 のように入力してください</translation>
     </message>
     <message>
-        <source>write it with 'motorbenchctl set'</source>
-        <translation>'motorbenchctl set' で書き込んでください</translation>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
+        <translation>&apos;motorbenchctl set&apos; で書き込んでください</translation>
     </message>
     <message>
         <source>write it with a dot, like 1.5, and no comma</source>
@@ -17699,8 +17699,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>パルスを長く印加できるよう、移動量の許容値を上げてください</translation>
     </message>
     <message>
-        <source>drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it</source>
-        <translation>デューティで駆動するか、'motorbenchctl step' で I を試してください。すべてのファームウェアが I を計算するわけではありません</translation>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>デューティで駆動するか、&apos;motorbenchctl step&apos; で I を試してください。すべてのファームウェアが I を計算するわけではありません</translation>
     </message>
     <message>
         <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
@@ -17911,7 +17911,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>駆動許可ボタンを長押ししてから、もう一度接続してください</translation>
     </message>
     <message>
-        <source>it was cut off at '%1' and does not answer any more</source>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
         <translation>「%1」で中断され、もう応答しません</translation>
     </message>
     <message>
@@ -17955,8 +17955,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 MB を超えるブロックがあります</translation>
     </message>
     <message>
-        <source>its chunks are packed by '%1'; zstd and lz4 are known</source>
-        <translation>ブロックは '%1' で圧縮されています。使えるのは zstd と lz4 です</translation>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>ブロックは &apos;%1&apos; で圧縮されています。使えるのは zstd と lz4 です</translation>
     </message>
     <message>
         <source>messages in JSON can be read, and what this program wrote</source>
@@ -18099,7 +18099,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ユーザ</translation>
     </message>
     <message>
-        <source>a step would draw too much current: the unit's own profile leads, at %1 counts/s at most</source>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
         <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが最大 %1 counts/s で導きます</translation>
     </message>
     <message>
@@ -18127,7 +18127,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>モーターがこの機器には強すぎないか確認してください</translation>
     </message>
     <message>
-        <source>the unit's own profile led at %1 counts/s, for a step would draw too much current</source>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが %1 counts/s で導きました</translation>
     </message>
     <message>
@@ -18259,16 +18259,16 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この制御ループのゲインが不明なため、目標は現在位置から %1 以内で始め、出力に余裕があることを確認しながら広げます。p、d と divisor を一度書き込んでください</translation>
     </message>
     <message>
-        <source>write "value" or "raw"</source>
-        <translation>"value" または "raw" と書いてください</translation>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
+        <translation>&quot;value&quot; または &quot;raw&quot; と書いてください</translation>
     </message>
     <message>
         <source>%1 duty makes the motor quicker than %2 counts/s, which are allowed</source>
         <translation>デューティ %1 でモーターは許可された %2 counts/s より速くなります</translation>
     </message>
     <message>
-        <source>'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun</source>
-        <translation>'sqlite3 %1 .recover' で残っている内容が分かります。別の場所へ移せば新しいものが作られます</translation>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
+        <translation>&apos;sqlite3 %1 .recover&apos; で残っている内容が分かります。別の場所へ移せば新しいものが作られます</translation>
     </message>
     <message>
         <source>another program holds it: try again when that has ended</source>
@@ -18283,7 +18283,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ディスクの空きを増やしてください</translation>
     </message>
     <message>
-        <source>%1: its value is in '%2', its unit is '%3'</source>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
         <translation>%1: 値は「%2」で書かれていますが、単位は「%3」です</translation>
     </message>
     <message>
@@ -18507,7 +18507,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>接続を閉じて開き直すと、誰がいるか分かります</translation>
     </message>
     <message>
-        <source>another unit answers as number %1: serial number '%2' instead of '%3'</source>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
         <translation>番号 %1 で別の機器が応答しています: シリアル番号は「%3」ではなく「%2」です</translation>
     </message>
     <message>
@@ -18583,7 +18583,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>位置が 0 から %1 カウント離れるまで軸を回してから（電源が切れたことがそれで分かります）、電源を入れ直してください</translation>
     </message>
     <message>
-        <source>'%1' must be above 0 and at most %2</source>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
         <translation>「%1」は 0 より大きく %2 以下でなければなりません</translation>
     </message>
     <message>
@@ -18591,7 +18591,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>現在の内容を保存できないため、何も書き込まれませんでした：%1</translation>
     </message>
     <message>
-        <source>where it is left out the unit's own limit serves</source>
+        <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>省略した場合はユニット自身の制限が使われます</translation>
     </message>
     <message>
@@ -18599,7 +18599,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>番号は次に電源を入れ直してから有効になり、それまでは何によっても確かめられません</translation>
     </message>
     <message>
-        <source>put it back first, as 'motorbenchctl set %1 %2' does</source>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
         <translation>まず「motorbenchctl set %1 %2」のようにして元に戻してください</translation>
     </message>
     <message>
@@ -18607,7 +18607,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>試行 %1 は変更したものを元に戻していません</translation>
     </message>
     <message>
-        <source>'%1' must not be empty</source>
+        <source>&apos;%1&apos; must not be empty</source>
         <translation>「%1」は空にできません</translation>
     </message>
     <message>
@@ -18631,7 +18631,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>CAN FD フレーム 1 個は省かれています。読み込めるのはクラシック CAN だけです</translation>
     </message>
     <message>
-        <source>a simulated board's socket has no option '%1'</source>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
         <translation>シミュレートされた基板のソケットにオプション「%1」はありません</translation>
     </message>
     <message>
@@ -18647,7 +18647,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>使えるのは 0 と 1 です</translation>
     </message>
     <message>
-        <source>link option '%1' is there twice</source>
+        <source>link option &apos;%1&apos; is there twice</source>
         <translation>リンクのオプション「%1」が 2 回あります</translation>
     </message>
     <message>
@@ -18671,7 +18671,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>電源を切って入れ直し、もう一度行ってください。そのとき読まれる値はフラッシュのものです</translation>
     </message>
     <message>
-        <source>take it out of the recipe's parameters, or serve such units by a recipe of their own</source>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
         <translation>レシピのパラメータから外すか、このような機器には専用のレシピを使ってください</translation>
     </message>
     <message>
@@ -18766,14 +18766,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>write an averaging of 1 … 500, then switch it off and on</source>
         <translation>1 … 500 の平均化を書き込み、その後電源を入れ直してください</translation>
     </message>
-<message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>平均化の値が小さくされて保存されたと考えられます。今すぐ電源を入れ直してください: それまではメモリを上書きするおそれがあります。</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>平均化の値が小さくされたと考えられ、電源を一度切るまで自身のメモリを上書きするおそれがあります</translation>
-    </message>
     <message>
         <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
         <translation>まだ何も書き込んでいません。OpenOCD がすでにドライブを停止させている場合は止まったままです。電源を入れ直してください</translation>
@@ -18794,7 +18786,7 @@ double click plots it, drag it to a pane or below them</source>
         <source>wait until it is done</source>
         <translation>終わるまで待ってください</translation>
     </message>
-<message>
+    <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
         <translation>ノード %1 のアクセプタンスマスクが分からないため、ノード %2 への指令も実行する可能性があります。再スキャンしてください</translation>
     </message>

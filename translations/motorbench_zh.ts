@@ -450,19 +450,19 @@
 <context>
     <name>FrameFilterParser</name>
     <message>
-        <source>')' has no '(' before it</source>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
         <translation>“)”之前没有“(”</translation>
     </message>
     <message>
-        <source>'%1' needs a term before it</source>
+        <source>&apos;%1&apos; needs a term before it</source>
         <translation>“%1”之前需要一个条件项</translation>
     </message>
     <message>
-        <source>a term is missing after '%1'</source>
+        <source>a term is missing after &apos;%1&apos;</source>
         <translation>“%1”之后缺少条件项</translation>
     </message>
     <message>
-        <source>'(' is not closed: a ')' is missing</source>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
         <translation>“(”未闭合：缺少“)”</translation>
     </message>
     <message>
@@ -473,55 +473,55 @@
 <context>
     <name>FrameTermReader</name>
     <message>
-        <source>'%1': a comparison begins with field., such as field.%1</source>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
         <translation>“%1”：比较须以 field. 开头，例如 field.%1</translation>
     </message>
     <message>
-        <source>'%1:' has nothing after the colon</source>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
         <translation>“%1:”的冒号之后没有内容</translation>
     </message>
     <message>
-        <source>'%1:' is not known; id, family, message, device, dir, data, is and field. are</source>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
         <translation>“%1:”未知；可用的有 id、family、message、device、dir、data、is 和 field.</translation>
     </message>
     <message>
-        <source>'%1:' is not known; '%2:' is</source>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
         <translation>“%1:”未知；可用的是“%2:”</translation>
     </message>
     <message>
-        <source>'%1' is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
         <translation>“%1”不是标识符：须为十六进制，例如 0x2061405、0x2061* 或 100..1FF</translation>
     </message>
     <message>
-        <source>'%1' is no device number: such as 5, 5,7 or 1..9</source>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
         <translation>“%1”不是设备编号：例如 5、5,7 或 1..9</translation>
     </message>
     <message>
-        <source>'%1' are no bytes: hexadecimal such as A125*, without blanks</source>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
         <translation>“%1”不是字节：须为不含空格的十六进制，例如 A125*</translation>
     </message>
     <message>
-        <source>no family is called '%1'; there is %2</source>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
         <translation>没有名为“%1”的系列；现有 %2</translation>
     </message>
     <message>
-        <source>'dir:%1' is not known; dir:rx and dir:tx are</source>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
         <translation>“dir:%1”未知；可用的有 dir:rx 和 dir:tx</translation>
     </message>
     <message>
-        <source>'is:%1' is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
         <translation>“is:%1”未知；可用的有 tx、rx、extended、standard、remote、error、unknown、known 和 control</translation>
     </message>
     <message>
-        <source>'field.' needs the name of a field, such as field.trgt&gt;100</source>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
         <translation>“field.”需要字段名，例如 field.trgt&gt;100</translation>
     </message>
     <message>
-        <source>'field.%1%2' needs a number behind it</source>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
         <translation>“field.%1%2”之后需要一个数值</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>“%1”不是数值</translation>
     </message>
     <message>
@@ -1004,7 +1004,7 @@
         <translation>%1 未解锁。请选中它，然后按住标题栏中的“解锁”。</translation>
     </message>
     <message>
-        <source>'%1' is no frame such as 02061405#8125</source>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
         <translation>“%1”不是帧，格式例如 02061405#8125</translation>
     </message>
     <message>
@@ -1044,7 +1044,7 @@
     <name>SignalText</name>
     <message>
         <source>small</source>
-        <extracomment>Translate as "capital" where a noun has a capital letter in the middle of a line too.</extracomment>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>small</translation>
     </message>
 </context>
@@ -1585,7 +1585,7 @@
         <translation>传感器的一个计数经 D 使占空比变化 %1 %；不超过 10 % 才算平静。</translation>
     </message>
     <message>
-        <source>The drive's ramp takes %1 to full duty, which is slower than this loop.</source>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
         <translation>驱动器的斜坡需要 %1 才到满占空比，比此回路慢。</translation>
     </message>
     <message>
@@ -1676,7 +1676,7 @@
         <translation>这超过阶跃的 2 %。</translation>
     </message>
     <message>
-        <source>The drive's least output helps.</source>
+        <source>The drive&apos;s least output helps.</source>
         <translation>驱动器的最小输出可弥补。</translation>
     </message>
     <message>
@@ -1692,11 +1692,11 @@
         <translation>此驱动器没有自带斜坡。</translation>
     </message>
     <message>
-        <source>The drive's ramp was not read yet.</source>
+        <source>The drive&apos;s ramp was not read yet.</source>
         <translation>驱动器的斜坡尚未读取。</translation>
     </message>
     <message>
-        <source>The drive's ramp is off.</source>
+        <source>The drive&apos;s ramp is off.</source>
         <translation>驱动器的斜坡已关闭。</translation>
     </message>
     <message>
@@ -1906,7 +1906,7 @@
         <source>an experiment on it has not ended</source>
         <translation>其上的实验尚未结束</translation>
     </message>
-<message>
+    <message>
         <source>the computer slept</source>
         <translation>计算机曾进入睡眠</translation>
     </message>
@@ -3519,7 +3519,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>覆盖限位</translation>
     </message>
     <message>
-        <source>The two below replace the device's own settings for limit switches. Changing it disarms.</source>
+        <source>The two below replace the device&apos;s own settings for limit switches. Changing it disarms.</source>
         <translation>下面两项取代设备自身的限位开关设置。更改后会上锁。</translation>
     </message>
     <message>
@@ -4987,7 +4987,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1 bit/s</translation>
     </message>
     <message>
-        <source>the computer's own RS-485 port</source>
+        <source>the computer&apos;s own RS-485 port</source>
         <translation>计算机自身的 RS-485 端口</translation>
     </message>
     <message>
@@ -4995,7 +4995,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>RS-485</translation>
     </message>
     <message>
-        <source>Lets the kernel switch the driver of a port on the computer's board. Adapters on USB switch by themselves: leave it off.</source>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
         <translation>由内核切换计算机主板上端口的驱动方向。USB 适配器会自行切换：请保持关闭。</translation>
     </message>
     <message>
@@ -5254,7 +5254,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>斜坡</translation>
     </message>
     <message>
-        <source>The drive's own ramp was on</source>
+        <source>The drive&apos;s own ramp was on</source>
         <translation>驱动器自身的斜坡已启用</translation>
     </message>
     <message>
@@ -5509,7 +5509,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>“准备”在电机当前位置将其接通；“启动”之前不会转动。</translation>
     </message>
     <message>
-        <source>not prepared: '%1' is no number of counts</source>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
         <translation>未准备：“%1”不是计数值</translation>
     </message>
 </context>
@@ -5555,7 +5555,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>Frames received that no controller family knows: somebody else's traffic</source>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
         <translation>收到的帧不属于任何已知控制器系列：其他设备的通信</translation>
     </message>
     <message>
@@ -6714,7 +6714,7 @@ double click or End returns to the present · right click for more</source>
         <translation>接在</translation>
     </message>
     <message>
-        <source>the device's own line</source>
+        <source>the device&apos;s own line</source>
         <translation>设备自身的线路</translation>
     </message>
     <message>
@@ -7246,7 +7246,7 @@ double click or End returns to the present · right click for more</source>
         <source>hold Arm in the header</source>
         <translation>按住标题栏中的“解锁”</translation>
     </message>
-<message>
+    <message>
         <source>written, not proved</source>
         <translation>已写入，未证实</translation>
     </message>
@@ -8944,7 +8944,7 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>没有设定值。请输入不超过 ± %1 的数值。</translation>
     </message>
     <message>
-        <source>"%1" is no number. Enter one up to ± %2.</source>
+        <source>&quot;%1&quot; is no number. Enter one up to ± %2.</source>
         <translation>“%1”不是数值。请输入不超过 ± %2 的数值。</translation>
     </message>
     <message>
@@ -10516,7 +10516,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>按住：使已解锁的电机平缓地正向或反向运动</translation>
     </message>
     <message>
-        <source>on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>在增益滑块上：2 %，按 Shift 为 0.2 %，按 Ctrl 为 20 %；滚轮同样每次 2 %</translation>
     </message>
     <message>
@@ -11206,7 +11206,7 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1, as in the image</source>
         <translation>%1，与映像相同</translation>
     </message>
-<message>
+    <message>
         <source>Written, not proved: %1</source>
         <translation>已写入，未证实：%1</translation>
     </message>
@@ -11447,11 +11447,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>温度</translation>
     </message>
     <message>
-        <source>F: the firmware's codes</source>
+        <source>F: the firmware&apos;s codes</source>
         <translation>F：固件的代码</translation>
     </message>
     <message>
-        <source>A unit that speaks the document's codes would take position for current and current for position.</source>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
         <translation>使用文档代码的设备会把位置当作电流，把电流当作位置。</translation>
     </message>
     <message>
@@ -11459,7 +11459,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>L：8 字节的旧式帧</translation>
     </message>
     <message>
-        <source>A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
         <translation>使用当前固件的设备会忽略这些帧，停止除外，停止以两种方式发送。</translation>
     </message>
     <message>
@@ -11471,11 +11471,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>仅可监视：没有能停止它的代码。</translation>
     </message>
     <message>
-        <source>D: the document's codes</source>
+        <source>D: the document&apos;s codes</source>
         <translation>D：文档的代码</translation>
     </message>
     <message>
-        <source>A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
         <translation>使用固件代码的设备在收到位置命令时会全功率运行，并在写入 D 时丢失其除数。</translation>
     </message>
     <message>
@@ -11603,7 +11603,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>调试探针存在，但不允许打开</translation>
     </message>
     <message>
-        <source>install OpenOCD's udev rules or ask your administrator</source>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
         <translation>安装 OpenOCD 的 udev 规则，或询问您的管理员</translation>
     </message>
     <message>
@@ -11671,7 +11671,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>模拟输入</translation>
     </message>
     <message>
-        <source>count/100 ms</source>
+        <source>count/100&#xa0;ms</source>
         <translation>count/100 ms</translation>
     </message>
     <message>
@@ -11759,7 +11759,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>常闭型在开关断开时触发，常开型在闭合时触发。触发后禁止此方向的输出。</translation>
     </message>
     <message>
-        <source>On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.</source>
+        <source>On switches the limit OFF: the sense is the opposite of the soft limits&apos; Enabled.</source>
         <translation>“开”表示关闭限位：含义与软限位的“启用”相反。</translation>
     </message>
     <message>
@@ -11843,7 +11843,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>正向软限位启用</translation>
     </message>
     <message>
-        <source>On switches the limit ON: the sense is the opposite of the switches' Disabled.</source>
+        <source>On switches the limit ON: the sense is the opposite of the switches&apos; Disabled.</source>
         <translation>“开”表示打开限位：含义与开关的“禁用”相反。</translation>
     </message>
     <message>
@@ -12143,7 +12143,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>退出方式</translation>
     </message>
     <message>
-        <source>Typed at the end. "none" leaves it to jumper and reset.</source>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
         <translation>在末尾键入。“none”表示交由跳线和复位处理。</translation>
     </message>
     <message>
@@ -12167,7 +12167,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>数据手册对速度目标的说明自相矛盾。用普通的 counts/s 时，需要 × 4096 的板卡几乎不动；相反的错误则会要求全速。仅当板卡几乎不动时才更改，并使用较小的功率限值。</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
         <translation>数据手册与制造商的库对输入的极性和边沿给出相反的位。库更可能正确；借助状态位的实验可以查明。</translation>
     </message>
     <message>
@@ -12239,7 +12239,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>确定输入极性</translation>
     </message>
     <message>
-        <source>Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
         <translation>数据手册与制造商的库对输入的极性给出相反的位。一个轴的输入会分别按两种方式设置，状态位会表明在引脚当前电平下哪一种有效。不会有任何运动，计数器保持不变，之后输入恢复原来的设置。</translation>
     </message>
     <message>
@@ -12275,7 +12275,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>引导程序发出问候</translation>
     </message>
     <message>
-        <source>Its greeting on the serial port holds the word "bootloader".</source>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
         <translation>其在串口上的问候包含“bootloader”一词。</translation>
     </message>
     <message>
@@ -12367,15 +12367,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>在负端置位</translation>
     </message>
     <message>
-        <source>Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
         <translation>位置环的参数，采用板卡自有单位，其比例未见文档说明。无法回读；四项一起发送。</translation>
     </message>
     <message>
-        <source>Bound of the position loop's integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
         <translation>位置环积分的界限，采用功率单位：8191 为全功率。无法回读。</translation>
     </message>
     <message>
-        <source>Of the velocity loop, in the board's own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
         <translation>速度环的参数，采用板卡自有单位，其比例未见文档说明。无法回读；三项一起发送。</translation>
     </message>
     <message>
@@ -12395,7 +12395,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>该通道输入的用途。无法回读；一个输入的五个值一起发送。</translation>
     </message>
     <message>
-        <source>At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
         <translation>输入在哪种电平下有效。数据手册与制造商的库以相反的位表示：板卡遵循哪一种是设备的一项设置，可通过实验查明。</translation>
     </message>
     <message>
@@ -12415,7 +12415,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>板卡发送此通道的哪些内容：位 0 和 1 为位置的长度，2 为相对，3 为速度，5 为状态。程序需要完整位置。</translation>
     </message>
     <message>
-        <source>The encoder's counter. Writing it moves the zero, not the motor.</source>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
         <translation>编码器的计数器。写入会移动零点，而不移动电机。</translation>
     </message>
     <message>
@@ -12555,7 +12555,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>avrdude 不认识此名称的编程器</translation>
     </message>
     <message>
-        <source>'avrdude -c ?' lists them</source>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
         <translation>“avrdude -c ?”可列出它们</translation>
     </message>
     <message>
@@ -12711,11 +12711,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>UART：发送超时（数据手册意指奇偶校验错误）</translation>
     </message>
     <message>
-        <source>UART: receive buffer overflow, by the datasheet's number</source>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
         <translation>UART：接收缓冲区溢出，按数据手册的编号</translation>
     </message>
     <message>
-        <source>UART: data overrun, by the datasheet's number</source>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
         <translation>UART：数据溢出，按数据手册的编号</translation>
     </message>
     <message>
@@ -13055,7 +13055,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 无应答：%2</translation>
     </message>
     <message>
-        <source>%1 does not exist in this device's dialect</source>
+        <source>%1 does not exist in this device&apos;s dialect</source>
         <translation>%1 在此设备的方言中不存在</translation>
     </message>
     <message>
@@ -13107,7 +13107,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 没有 %2</translation>
     </message>
     <message>
-        <source>%1 has no '%2' to be set</source>
+        <source>%1 has no &apos;%2&apos; to be set</source>
         <translation>%1 没有可设置的“%2”</translation>
     </message>
     <message>
@@ -13123,7 +13123,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 没有将其位置归零的命令</translation>
     </message>
     <message>
-        <source>%1 has no dialect '%2'</source>
+        <source>%1 has no dialect &apos;%2&apos;</source>
         <translation>%1 没有方言“%2”</translation>
     </message>
     <message>
@@ -13131,7 +13131,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 没有占空比命令</translation>
     </message>
     <message>
-        <source>%1 has no duty command, so '%2' is not measured</source>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
         <translation>%1 没有占空比命令，因此不测量“%2”</translation>
     </message>
     <message>
@@ -13147,11 +13147,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 中没有 %2 的帧</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tried</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
         <translation>%1 没有可试验的回路“%2”</translation>
     </message>
     <message>
-        <source>%1 has no loop '%2' that can be tuned</source>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
         <translation>%1 没有可整定的回路“%2”</translation>
     </message>
     <message>
@@ -13163,7 +13163,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 没有可设置的编号</translation>
     </message>
     <message>
-        <source>%1 has no option '%2'</source>
+        <source>%1 has no option &apos;%2&apos;</source>
         <translation>%1 没有选项“%2”</translation>
     </message>
     <message>
@@ -13575,11 +13575,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1：%3 ms 的%2过于精细，设备无法跟随，它每 %4 ms 接收一个设定值</translation>
     </message>
     <message>
-        <source>%1: '%2' is neither on nor off</source>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
         <translation>%1：“%2”既不是 on 也不是 off</translation>
     </message>
     <message>
-        <source>%1: '%2' is not a number</source>
+        <source>%1: &apos;%2&apos; is not a number</source>
         <translation>%1：“%2”不是数值</translation>
     </message>
     <message>
@@ -13627,7 +13627,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1：状态 %2 没有含义</translation>
     </message>
     <message>
-        <source>%1: the device answers '%2'</source>
+        <source>%1: the device answers &apos;%2&apos;</source>
         <translation>%1：设备应答“%2”</translation>
     </message>
     <message>
@@ -13643,51 +13643,51 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1；%2</translation>
     </message>
     <message>
-        <source>'%1' is no journal that stations share</source>
+        <source>&apos;%1&apos; is no journal that stations share</source>
         <translation>“%1”不是各工位共享的日志簿</translation>
     </message>
     <message>
-        <source>'%1' is no number</source>
+        <source>&apos;%1&apos; is no number</source>
         <translation>“%1”不是数值</translation>
     </message>
     <message>
-        <source>'%1' is no path of a socket: it has 1 to 107 characters</source>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
         <translation>“%1”不是套接字路径：其长度为 1 到 107 个字符</translation>
     </message>
     <message>
-        <source>'%1' is no time in seconds</source>
+        <source>&apos;%1&apos; is no time in seconds</source>
         <translation>“%1”不是以秒为单位的时间</translation>
     </message>
     <message>
-        <source>'%1' is no value for the option '%2' of %3</source>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
         <translation>“%1”不是 %3 的选项“%2”的有效值</translation>
     </message>
     <message>
-        <source>'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
         <translation>“%1”不是设备：格式须为 LINK/FAMILY:ADDRESS，例如 sim:can/dmc60c:5</translation>
     </message>
     <message>
-        <source>'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
+        <source>&apos;%1&apos; is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:</source>
         <translation>“%1”不是链路：格式须为 SCHEME:PATH，例如 socketcan:can0 或 sim:</translation>
     </message>
     <message>
-        <source>'%1' is not a simulated device: %2</source>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
         <translation>“%1”不是仿真设备：%2</translation>
     </message>
     <message>
-        <source>'%1' is not qtcan:PLUGIN:INTERFACE</source>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
         <translation>“%1”不是 qtcan:PLUGIN:INTERFACE</translation>
     </message>
     <message>
-        <source>'%1' must be a number</source>
+        <source>&apos;%1&apos; must be a number</source>
         <translation>“%1”必须是数值</translation>
     </message>
     <message>
-        <source>'%1' must be a text</source>
+        <source>&apos;%1&apos; must be a text</source>
         <translation>“%1”必须是文本</translation>
     </message>
     <message>
-        <source>'%1' must be a whole number</source>
+        <source>&apos;%1&apos; must be a whole number</source>
         <translation>“%1”必须是整数</translation>
     </message>
     <message>
@@ -13695,31 +13695,31 @@ double click plots it, drag it to a pane or below them</source>
         <translation>名称中不能有换行符、制表符或其他控制字符</translation>
     </message>
     <message>
-        <source>'%1' must be an object in braces</source>
+        <source>&apos;%1&apos; must be an object in braces</source>
         <translation>“%1”必须是花括号中的对象</translation>
     </message>
     <message>
-        <source>'%1' names no interface</source>
+        <source>&apos;%1&apos; names no interface</source>
         <translation>“%1”未指定接口</translation>
     </message>
     <message>
-        <source>'encoder' is true: it counts both ways</source>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
         <translation>“encoder”为 true：它双向计数</translation>
     </message>
     <message>
-        <source>'motorbenchctl snapshots' lists those there are</source>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
         <translation>“motorbenchctl snapshots”可列出现有的快照</translation>
     </message>
     <message>
-        <source>'motorbenchctl trials' lists those there are</source>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
         <translation>“motorbenchctl trials”可列出现有的试验</translation>
     </message>
     <message>
-        <source>'store' must be true or false</source>
+        <source>&apos;store&apos; must be true or false</source>
         <translation>“store”必须是 true 或 false</translation>
     </message>
     <message>
-        <source>'to' is missing</source>
+        <source>&apos;to&apos; is missing</source>
         <translation>缺少“to”</translation>
     </message>
     <message>
@@ -13731,7 +13731,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--language 只接受以下之一：%1</translation>
     </message>
     <message>
-        <source>--out '%1' is no picture</source>
+        <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out “%1”不是图片</translation>
     </message>
     <message>
@@ -13739,7 +13739,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 不是报告</translation>
     </message>
     <message>
-        <source>--out '%1' is no PDF</source>
+        <source>--out &apos;%1&apos; is no PDF</source>
         <translation>--out“%1”不是 PDF</translation>
     </message>
     <message>
@@ -13759,7 +13759,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>缺少 --target</translation>
     </message>
     <message>
-        <source>--target: '%1' is unknown</source>
+        <source>--target: &apos;%1&apos; is unknown</source>
         <translation>--target：“%1”未知</translation>
     </message>
     <message>
@@ -13767,11 +13767,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>--tour 需要用于存放图片的文件夹</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into a Supermodified</source>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
         <translation>--via：“%1”不是 Supermodified 的接入途径</translation>
     </message>
     <message>
-        <source>--via: '%1' is no way into an Abstract DC Drive</source>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
         <translation>--via：“%1”不是 Abstract DC Drive 的接入途径</translation>
     </message>
     <message>
@@ -14095,11 +14095,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>过于陈旧，只有断电才能停止；可监视但不可驱动。</translation>
     </message>
     <message>
-        <source>Speaks the document's codes, which no published firmware does.</source>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
         <translation>使用文档的代码，没有任何已发布的固件如此。</translation>
     </message>
     <message>
-        <source>Speaks the firmware's codes, not the document's.</source>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
         <translation>使用固件的代码，而非文档的代码。</translation>
     </message>
     <message>
@@ -14131,11 +14131,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>引导程序正在运行；请重新启动设备或更新其固件。</translation>
     </message>
     <message>
-        <source>The controller tells no version: the programmer's own verify and the controller's answer prove the update.</source>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
         <translation>控制器不报告版本：编程器自身的校验和控制器的应答即证实更新。</translation>
     </message>
     <message>
-        <source>The drive tells no version: the programmer's own verify and the drive's answer prove the update.</source>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
         <translation>驱动器不报告版本：编程器自身的校验和驱动器的应答即证实更新。</translation>
     </message>
     <message>
@@ -14203,15 +14203,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已写入</translation>
     </message>
     <message>
-        <source>"via" must name the other way in, such as "%1"</source>
-        <translation>"via" 必须指定另一种接入途径，例如 "%1"</translation>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>&quot;via&quot; 必须指定另一种接入途径，例如 &quot;%1&quot;</translation>
     </message>
     <message>
         <source>a DMC60C has a number from 0 to 63, not %1</source>
         <translation>DMC60C 的编号为 0 到 63，而非 %1</translation>
     </message>
     <message>
-        <source>a DMC60C has no mode '%1'</source>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
         <translation>DMC60C 没有模式“%1”</translation>
     </message>
     <message>
@@ -14231,7 +14231,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>DMC60C 通过其自身的链路更新</translation>
     </message>
     <message>
-        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'</source>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
         <translation>GPIO 线的格式为 CHIP:LINE，如 gpiochip0:25，而非“%1”</translation>
     </message>
     <message>
@@ -14243,7 +14243,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>QuadQuad2Drv 只有一种芯片</translation>
     </message>
     <message>
-        <source>a QuadQuad2Drv is simulated on the board's end of an SPI link</source>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
         <translation>QuadQuad2Drv 在 SPI 链路的板卡端仿真</translation>
     </message>
     <message>
@@ -14259,7 +14259,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Supermodified 的 ID 为 1 到 127，而非 %1</translation>
     </message>
     <message>
-        <source>a Supermodified has no mode '%1'</source>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>Supermodified 没有模式“%1”</translation>
     </message>
     <message>
@@ -14287,7 +14287,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>位</translation>
     </message>
     <message>
-        <source>a bootloader needs the board's serial line, such as boot=pty:./boot</source>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
         <translation>引导程序需要板卡的串行线路，例如 boot=pty:./boot</translation>
     </message>
     <message>
@@ -14563,7 +14563,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Abstract DC Drive 没有限位开关，因此没有限位覆盖</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no mode '%1'</source>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>Abstract DC Drive 没有模式“%1”</translation>
     </message>
     <message>
@@ -14635,7 +14635,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>以其 P 值最大为 %1：请使用轮廓模式或分多次运动</translation>
     </message>
     <message>
-        <source>average takes 0 to 3600 seconds, not '%1'</source>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
         <translation>average 接受 0 至 3600 秒，而非“%1”</translation>
     </message>
     <message>
@@ -14815,7 +14815,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>选择其他位置</translation>
     </message>
     <message>
-        <source>close that one first ('fuser %1' names it)</source>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
         <translation>先关闭那个程序（“fuser %1”可显示其名称）</translation>
     </message>
     <message>
@@ -14975,7 +14975,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>应为时间、通道、值和单位</translation>
     </message>
     <message>
-        <source>fault '%1' does not parse</source>
+        <source>fault &apos;%1&apos; does not parse</source>
         <translation>无法解析故障“%1”</translation>
     </message>
     <message>
@@ -14991,7 +14991,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>先求取其增益比例：“概览”、“求取增益比例”</translation>
     </message>
     <message>
-        <source>find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'</source>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
         <translation>在“总线”页面或用“motorbenchctl monitor”找出占满总线的发送者</translation>
     </message>
     <message>
@@ -15111,7 +15111,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>用以下命令安装</translation>
     </message>
     <message>
-        <source>install its vendor's driver</source>
+        <source>install its vendor&apos;s driver</source>
         <translation>安装其厂商的驱动程序</translation>
     </message>
     <message>
@@ -15147,8 +15147,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已存在</translation>
     </message>
     <message>
-        <source>it begins with "recipe": 1</source>
-        <translation>它以 "recipe": 1 开头</translation>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>它以 &quot;recipe&quot;: 1 开头</translation>
     </message>
     <message>
         <source>it begins with {</source>
@@ -15363,7 +15363,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>链路选项 %1=%2 超出范围</translation>
     </message>
     <message>
-        <source>link option '%1' is not KEY=VALUE</source>
+        <source>link option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>链路选项“%1”不是 KEY=VALUE</translation>
     </message>
     <message>
@@ -15483,7 +15483,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请指定其他文件夹</translation>
     </message>
     <message>
-        <source>name it by its number; 'motorbenchctl snapshots' lists them</source>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
         <translation>用其编号指定；“motorbenchctl snapshots”可列出它们</translation>
     </message>
     <message>
@@ -15679,15 +15679,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>不是参数文件：%1</translation>
     </message>
     <message>
-        <source>not a parameter file: it has no "parameters"</source>
-        <translation>不是参数文件：其中没有 "parameters"</translation>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>不是参数文件：其中没有 &quot;parameters&quot;</translation>
     </message>
     <message>
         <source>not sent: %1 for %2</source>
         <translation>未发送：%1，属于 %2</translation>
     </message>
     <message>
-        <source>not sent: %1 outside the controller's flash</source>
+        <source>not sent: %1 outside the controller&apos;s flash</source>
         <translation>未发送：%1，在控制器闪存之外</translation>
     </message>
     <message>
@@ -15779,7 +15779,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>openocd 未安装</translation>
     </message>
     <message>
-        <source>option '%1' is not KEY=VALUE</source>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
         <translation>选项“%1”不是 KEY=VALUE</translation>
     </message>
     <message>
@@ -15787,7 +15787,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>第 %1 页以 CRC 变体 %2 被接受</translation>
     </message>
     <message>
-        <source>page %1 cannot be written: its flash failed the device's own check %2 times</source>
+        <source>page %1 cannot be written: its flash failed the device&apos;s own check %2 times</source>
         <translation>无法写入第 %1 页：其闪存有 %2 次未通过设备自身的检查</translation>
     </message>
     <message>
@@ -15847,7 +15847,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>重新插入适配器；链路在其启用后自动打开</translation>
     </message>
     <message>
-        <source>polarity 0 is active high: the board follows the maker's library</source>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
         <translation>极性 0 为高电平有效：板卡遵循制造商的库</translation>
     </message>
     <message>
@@ -15891,11 +15891,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>正在验证：%1 counts/s 的阶跃</translation>
     </message>
     <message>
-        <source>pty links have the option baud=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>pty 链路的选项为 baud=BITS_PER_SECOND，而非“%1=%2”</translation>
     </message>
     <message>
-        <source>pty: is where 'simulate' puts its devices</source>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
         <translation>pty: 是“simulate”放置其设备之处</translation>
     </message>
     <message>
@@ -15927,7 +15927,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>正在恢复设置</translation>
     </message>
     <message>
-        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'</source>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
         <translation>qtcan 链路的选项为 bitrate=BITS_PER_SECOND，而非“%1=%2”</translation>
     </message>
     <message>
@@ -15979,7 +15979,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>消除原因，然后重新测试</translation>
     </message>
     <message>
-        <source>replay links have no option '%1'</source>
+        <source>replay links have no option &apos;%1&apos;</source>
         <translation>replay 链路没有选项“%1”</translation>
     </message>
     <message>
@@ -16079,7 +16079,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>记录中有多台设备以此编号应答</translation>
     </message>
     <message>
-        <source>several units have a snapshot '%1'</source>
+        <source>several units have a snapshot &apos;%1&apos;</source>
         <translation>有多台设备具有快照“%1”</translation>
     </message>
     <message>
@@ -16099,7 +16099,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>快照 %1，%2：%3 个值</translation>
     </message>
     <message>
-        <source>socketcan links have no option '%1'</source>
+        <source>socketcan links have no option &apos;%1&apos;</source>
         <translation>socketcan 链路没有选项“%1”</translation>
     </message>
     <message>
@@ -16119,7 +16119,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>速度 %1 counts/s 高于 1.2 × %2 counts/s</translation>
     </message>
     <message>
-        <source>speed is 10000 to 10000000 Hz, not '%1'</source>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
         <translation>speed 为 10000 到 10000000 Hz，而非“%1”</translation>
     </message>
     <message>
@@ -16131,7 +16131,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>speed=%1 不是速度</translation>
     </message>
     <message>
-        <source>spidev links have no option '%1'</source>
+        <source>spidev links have no option &apos;%1&apos;</source>
         <translation>spidev 链路没有选项“%1”</translation>
     </message>
     <message>
@@ -16527,7 +16527,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>设备报告电机未启动；可能是电源曾中断</translation>
     </message>
     <message>
-        <source>the device's rate was not put back: %1</source>
+        <source>the device&apos;s rate was not put back: %1</source>
         <translation>设备的频率未恢复：%1</translation>
     </message>
     <message>
@@ -16591,7 +16591,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>文件为空</translation>
     </message>
     <message>
-        <source>the file is for family '%1', the device is a %2</source>
+        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
         <translation>文件用于系列“%1”，而设备是 %2</translation>
     </message>
     <message>
@@ -16727,7 +16727,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>服务器上的日志簿由本程序的较新版本生成</translation>
     </message>
     <message>
-        <source>the journal's server: %1</source>
+        <source>the journal&apos;s server: %1</source>
         <translation>日志簿的服务器：%1</translation>
     </message>
     <message>
@@ -16739,7 +16739,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>内核未列出其接口：%1</translation>
     </message>
     <message>
-        <source>the key '%1' is there twice</source>
+        <source>the key &apos;%1&apos; is there twice</source>
         <translation>键“%1”出现了两次</translation>
     </message>
     <message>
@@ -16755,7 +16755,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>帧的长度为 %1</translation>
     </message>
     <message>
-        <source>the limit of '%1' must be the greatest value, 0 or more, or [least, greatest]</source>
+        <source>the limit of &apos;%1&apos; must be the greatest value, 0 or more, or [least, greatest]</source>
         <translation>“%1”的限值必须是 0 或更大的最大值，或 [最小值, 最大值]</translation>
     </message>
     <message>
@@ -16863,7 +16863,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已命令电机停止，但未确认其静止</translation>
     </message>
     <message>
-        <source>the name was written, but the device answers '%1'</source>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
         <translation>名称已写入，但设备应答“%1”</translation>
     </message>
     <message>
@@ -16987,7 +16987,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>自检无法继续：%1</translation>
     </message>
     <message>
-        <source>the self-test was ended by the guard '%1': %2</source>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
         <translation>自检被监护“%1”结束：%2</translation>
     </message>
     <message>
@@ -17227,7 +17227,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>日志簿中没有条目 %1</translation>
     </message>
     <message>
-        <source>there is no file '%1'</source>
+        <source>there is no file &apos;%1&apos;</source>
         <translation>没有文件“%1”</translation>
     </message>
     <message>
@@ -17235,15 +17235,15 @@ double click plots it, drag it to a pane or below them</source>
         <translation>没有此名称的布局</translation>
     </message>
     <message>
-        <source>there is no simulated link 'sim:%1': can, serial and spi are known</source>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
         <translation>没有仿真链路“sim:%1”：已知的有 can、serial 和 spi</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1'</source>
+        <source>there is no snapshot &apos;%1&apos;</source>
         <translation>没有快照“%1”</translation>
     </message>
     <message>
-        <source>there is no snapshot '%1' of this unit</source>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
         <translation>此设备没有快照“%1”</translation>
     </message>
     <message>
@@ -17311,7 +17311,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>驱动电机或写入固件期间未能阻止此计算机休眠：%1；请在此期间关闭自动挂起</translation>
     </message>
     <message>
-        <source>this device has no experiment '%1'</source>
+        <source>this device has no experiment &apos;%1&apos;</source>
         <translation>此设备没有实验“%1”</translation>
     </message>
     <message>
@@ -17443,7 +17443,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>尝试其位置环</translation>
     </message>
     <message>
-        <source>tune it by hand with 'motorbenchctl step'</source>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
         <translation>用“motorbenchctl step”手动整定</translation>
     </message>
     <message>
@@ -17467,7 +17467,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>此链路上正在处理设备</translation>
     </message>
     <message>
-        <source>unix links have no option '%1'</source>
+        <source>unix links have no option &apos;%1&apos;</source>
         <translation>unix 链路没有选项“%1”</translation>
     </message>
     <message>
@@ -17475,11 +17475,11 @@ double click plots it, drag it to a pane or below them</source>
         <translation>未知错误</translation>
     </message>
     <message>
-        <source>unknown family '%1'</source>
+        <source>unknown family &apos;%1&apos;</source>
         <translation>未知系列“%1”</translation>
     </message>
     <message>
-        <source>unknown fault '%1'</source>
+        <source>unknown fault &apos;%1&apos;</source>
         <translation>未知故障“%1”</translation>
     </message>
     <message>
@@ -17487,23 +17487,23 @@ double click plots it, drag it to a pane or below them</source>
         <translation>未知的键 %1</translation>
     </message>
     <message>
-        <source>unknown key '%1'</source>
+        <source>unknown key &apos;%1&apos;</source>
         <translation>未知的键“%1”</translation>
     </message>
     <message>
-        <source>unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
+        <source>unknown link kind &apos;%1&apos;: sim, socketcan, qtcan, serial, spidev, unix and replay are known</source>
         <translation>未知的链路类型“%1”：已知的有 sim、socketcan、qtcan、serial、spidev、unix 和 replay</translation>
     </message>
     <message>
-        <source>unknown loop '%1'</source>
+        <source>unknown loop &apos;%1&apos;</source>
         <translation>未知回路“%1”</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a serial link</source>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
         <translation>串行链路的未知选项“%1”</translation>
     </message>
     <message>
-        <source>unknown option '%1' of a simulated link</source>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
         <translation>仿真链路的未知选项“%1”</translation>
     </message>
     <message>
@@ -17627,7 +17627,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请写成 2.5 的形式</translation>
     </message>
     <message>
-        <source>write it with 'motorbenchctl set'</source>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
         <translation>用“motorbenchctl set”写入</translation>
     </message>
     <message>
@@ -17699,7 +17699,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>允许更大行程，使推动可以持续</translation>
     </message>
     <message>
-        <source>drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it</source>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
         <translation>用占空比驱动，或用“motorbenchctl step”试用其 I：并非每个固件版本都计算它</translation>
     </message>
     <message>
@@ -17911,7 +17911,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>按住“解锁”，然后重新接上</translation>
     </message>
     <message>
-        <source>it was cut off at '%1' and does not answer any more</source>
+        <source>it was cut off at &apos;%1&apos; and does not answer any more</source>
         <translation>在“%1”处中断，不再应答</translation>
     </message>
     <message>
@@ -17955,8 +17955,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>其中一个数据块大于 %1 MB</translation>
     </message>
     <message>
-        <source>its chunks are packed by '%1'; zstd and lz4 are known</source>
-        <translation>其数据块由 '%1' 压缩；支持 zstd 和 lz4</translation>
+        <source>its chunks are packed by &apos;%1&apos;; zstd and lz4 are known</source>
+        <translation>其数据块由 &apos;%1&apos; 压缩；支持 zstd 和 lz4</translation>
     </message>
     <message>
         <source>messages in JSON can be read, and what this program wrote</source>
@@ -18099,7 +18099,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>用户</translation>
     </message>
     <message>
-        <source>a step would draw too much current: the unit's own profile leads, at %1 counts/s at most</source>
+        <source>a step would draw too much current: the unit&apos;s own profile leads, at %1 counts/s at most</source>
         <translation>阶跃会消耗过大的电流：由设备自身的轮廓引导，最高 %1 counts/s</translation>
     </message>
     <message>
@@ -18127,7 +18127,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>检查电机对此设备而言是否过强</translation>
     </message>
     <message>
-        <source>the unit's own profile led at %1 counts/s, for a step would draw too much current</source>
+        <source>the unit&apos;s own profile led at %1 counts/s, for a step would draw too much current</source>
         <translation>由设备自身的轮廓以 %1 counts/s 引导，因为阶跃会消耗过大的电流</translation>
     </message>
     <message>
@@ -18259,7 +18259,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>此处不知道此回路的增益，因此其目标从当前位置的 %1 以内开始，并在看到其输出允许时逐步放远；请写入一次其 p、d 和 divisor</translation>
     </message>
     <message>
-        <source>write "value" or "raw"</source>
+        <source>write &quot;value&quot; or &quot;raw&quot;</source>
         <translation>请写 “value” 或 “raw”</translation>
     </message>
     <message>
@@ -18267,7 +18267,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 占空比会使电机快于允许的 %2 counts/s</translation>
     </message>
     <message>
-        <source>'sqlite3 %1 .recover' tells what it still holds; where it is moved away, a new one is begun</source>
+        <source>&apos;sqlite3 %1 .recover&apos; tells what it still holds; where it is moved away, a new one is begun</source>
         <translation>“sqlite3 %1 .recover”可显示其中仍有的内容；将其移走后会新建一个</translation>
     </message>
     <message>
@@ -18283,7 +18283,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>在其磁盘上腾出空间</translation>
     </message>
     <message>
-        <source>%1: its value is in '%2', its unit is '%3'</source>
+        <source>%1: its value is in &apos;%2&apos;, its unit is &apos;%3&apos;</source>
         <translation>%1：其值以“%2”为单位，而它的单位是“%3”</translation>
     </message>
     <message>
@@ -18507,7 +18507,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>关闭连接后重新打开，以查看那里有谁</translation>
     </message>
     <message>
-        <source>another unit answers as number %1: serial number '%2' instead of '%3'</source>
+        <source>another unit answers as number %1: serial number &apos;%2&apos; instead of &apos;%3&apos;</source>
         <translation>另一台设备以编号 %1 应答：序列号为“%2”而不是“%3”</translation>
     </message>
     <message>
@@ -18583,7 +18583,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请转动其轴，直到位置离 0 有 %1 个计数（由此可看出它断过电），然后将其断电再上电</translation>
     </message>
     <message>
-        <source>'%1' must be above 0 and at most %2</source>
+        <source>&apos;%1&apos; must be above 0 and at most %2</source>
         <translation>“%1”必须大于 0 且不超过 %2</translation>
     </message>
     <message>
@@ -18591,7 +18591,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>未写入任何内容，因为无法保留现有内容：%1</translation>
     </message>
     <message>
-        <source>where it is left out the unit's own limit serves</source>
+        <source>where it is left out the unit&apos;s own limit serves</source>
         <translation>省略时采用设备自身的限值</translation>
     </message>
     <message>
@@ -18599,7 +18599,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>其编号从下次断电重启后生效，此前无法证明</translation>
     </message>
     <message>
-        <source>put it back first, as 'motorbenchctl set %1 %2' does</source>
+        <source>put it back first, as &apos;motorbenchctl set %1 %2&apos; does</source>
         <translation>请先恢复，例如用“motorbenchctl set %1 %2”</translation>
     </message>
     <message>
@@ -18607,7 +18607,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>试验 %1 没有恢复它所改的值</translation>
     </message>
     <message>
-        <source>'%1' must not be empty</source>
+        <source>&apos;%1&apos; must not be empty</source>
         <translation>“%1”不能为空</translation>
     </message>
     <message>
@@ -18631,7 +18631,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>略去了 1 个 CAN FD 帧，因为只能读取经典 CAN</translation>
     </message>
     <message>
-        <source>a simulated board's socket has no option '%1'</source>
+        <source>a simulated board&apos;s socket has no option &apos;%1&apos;</source>
         <translation>仿真板的套接字没有选项“%1”</translation>
     </message>
     <message>
@@ -18647,7 +18647,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>允许 0 和 1</translation>
     </message>
     <message>
-        <source>link option '%1' is there twice</source>
+        <source>link option &apos;%1&apos; is there twice</source>
         <translation>链路选项“%1”出现了两次</translation>
     </message>
     <message>
@@ -18671,7 +18671,7 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请断电再上电，然后重做：那时读到的就是其闪存中的内容</translation>
     </message>
     <message>
-        <source>take it out of the recipe's parameters, or serve such units by a recipe of their own</source>
+        <source>take it out of the recipe&apos;s parameters, or serve such units by a recipe of their own</source>
         <translation>请将其从配方的参数中去掉，或为此类设备使用单独的配方</translation>
     </message>
     <message>
@@ -18766,14 +18766,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>write an averaging of 1 … 500, then switch it off and on</source>
         <translation>请写入 1 … 500 的平均数，然后将其断电再上电</translation>
     </message>
-<message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>据所知，其平均数已减小并保存。请立即将其断电再上电：在此之前它可能会覆盖自身的存储器。</translation>
-    </message>
-    <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
-        <translation>据所知，其平均数已减小，在断电一次之前，它可能会覆盖自身的存储器</translation>
-    </message>
     <message>
         <source>Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on</source>
         <translation>尚未写入任何内容。若 OpenOCD 已暂停驱动器，它会保持停止：请断电再上电</translation>
@@ -18794,7 +18786,7 @@ double click plots it, drag it to a pane or below them</source>
         <source>wait until it is done</source>
         <translation>请等待其完成</translation>
     </message>
-<message>
+    <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
         <translation>节点 %1 的接收掩码未知，发送给节点 %2 的内容它可能也会执行；请重新扫描</translation>
     </message>
