@@ -10,6 +10,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+MayTurn mayTurn(const StationPermit &permit)
+{
+    ServiceView view;
+    permit.describe(view);
+    return view.mayTurn;
+}
+
 TEST(StationPermit, IsOverFiveMinutesAfterTheLastUnit)
 {
     test::FreezingClock clock;
@@ -18,10 +25,9 @@ TEST(StationPermit, IsOverFiveMinutesAfterTheLastUnit)
     clock.advance(4min);
     permit.restart();
     clock.advance(4min);
-    EXPECT_TRUE(permit.isArmed());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Every);
     clock.advance(1min);
-    EXPECT_FALSE(permit.isArmed());
-    EXPECT_FALSE(permit.isPermitted());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
 }
 
 TEST(StationPermit, IsOverWhenTheComputerHasSlept)
@@ -31,14 +37,13 @@ TEST(StationPermit, IsOverWhenTheComputerHasSlept)
     permit.arm(true);
     clock.suspend(5ms); // two clocks are not read at one instant
     clock.advance(1s);
-    EXPECT_TRUE(permit.isArmed());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Every);
     clock.suspend(2h);
     clock.advance(1s);
-    EXPECT_FALSE(permit.isArmed());
-    EXPECT_FALSE(permit.isPermitted());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
     permit.arm(true);
     clock.advance(1s);
-    EXPECT_TRUE(permit.isArmed());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Every);
 }
 
 TEST(StationPermit, AUnitThatComesAfterASleepDoesNotLengthenIt)
@@ -48,7 +53,7 @@ TEST(StationPermit, AUnitThatComesAfterASleepDoesNotLengthenIt)
     permit.arm(true);
     clock.suspend(2h);
     permit.restart();
-    EXPECT_FALSE(permit.isArmed());
+    EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "support/eventloop.h"
 #include "support/hextext.h"
 #include "transport/backends/virtualcan.h"
+#include "transport/externalprogram.h"
 
 #include <gtest/gtest.h>
 
