@@ -118,24 +118,6 @@ TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
     EXPECT_FALSE(isOutputOn());
 }
 
-TEST_F(TrialCore, ARateThatWasRaisedIsLoweredWhenTheUnitIsHeardAgain)
-{
-    const ChannelIndex velocity = *device()->telemetry()->find("velocity");
-    const auto rate = [&] { return device()->telemetry()->rate(velocity, device()->clock().now()); };
-    clock.advance(3s);
-    const double own = rate();
-    Bench &bench = *core.session().bench(*core.session().links().front());
-    start(Keep::Never);
-    ASSERT_TRUE(clock.runUntil([this] { return isOutputOn(); }, 20s));
-    clock.advance(100ms);
-    ASSERT_GT(rate(), 1.5 * own);
-    bench.setLoss(1.0);
-    ASSERT_TRUE(ends());
-    bench.setLoss(0.0);
-    clock.advance(20s);
-    EXPECT_NEAR(rate(), own, 0.1 * own);
-}
-
 TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPushes)
 {
     const std::int64_t before = stored();
