@@ -95,6 +95,7 @@ Task<void> StationPermit::beforeMotion(const Device &device, const service::Self
         m_changed.notify();
         Sleep warning(m_clock, announcement);
         co_await warning;
+        look(); // who sleeps in the last second of it is not there either
     } while (!isArmed() || arming != m_armings);
     m_changed.notify();
     co_return {};

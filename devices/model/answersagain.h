@@ -6,6 +6,7 @@
 #include "model/device.h"
 
 #include <functional>
+#include <optional>
 
 namespace mb {
 
@@ -25,11 +26,13 @@ public:
     void hold(std::function<void()> silent);
     /// It may run again: what it says from now on proves nothing.
     void release() { m_asking.clear(); }
-    [[nodiscard]] bool hasAnswered() const { return m_hasAnswered; }
+    [[nodiscard]] bool hasAnswered() const { return m_answered == true; }
+    /// It was asked, and did not.
+    [[nodiscard]] bool isSilent() const { return m_answered == false; }
 
 private:
     Device &m_device;
-    bool m_hasAnswered = false;
+    std::optional<bool> m_answered;
     Scope m_asking; ///< last: uses everything above
 };
 

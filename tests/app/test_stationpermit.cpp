@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who has armed a station, and until when.
 #include "app/engine/stationpermit.h"
+#include "model/family.h"
+#include "model/registry.h"
 #include "support/freezingclock.h"
+#include "transport/backends/virtualcan.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +56,28 @@ TEST(StationPermit, AUnitThatComesAfterASleepDoesNotLengthenIt)
     permit.arm(true);
     clock.suspend(2h);
     permit.restart();
+    EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
+}
+
+TEST(StationPermit, LetsNothingTurnAfterASleepInTheLastSecondOfTheAnnouncement)
+{
+    test::FreezingClock clock;
+    VirtualCanBus bus(clock, 1'000'000, 1);
+    VirtualCanLink link(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(link.open());
+    Identity identity;
+    identity.family = "dmc60c";
+    identity.address = 5;
+    const auto device = findFamily(families(), identity.family)->open(link, clock, identity);
+    StationPermit permit(clock);
+    NoProgress progress;
+    permit.arm(true);
+    auto waiting = permit.beforeMotion(*device, {}, progress);
+    waiting.start();
+    clock.advance(2500ms);
+    clock.suspend(2h);
+    clock.advance(1s);
+    EXPECT_FALSE(waiting.isFinished());
     EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
 }
 

@@ -292,6 +292,16 @@ TEST_F(AbstractDcUpdate, AProbeOnAnotherDriveIsFoundOutByTheOneThatAnswersMeanwh
     EXPECT_EQ(device->parameters().entry(gain).raw, 7) << "that of the other one was replaced";
 }
 
+TEST_F(AbstractDcUpdate, ADriveThatAnswersWhileAnotherIsErasedKeepsItsSettingsThoughThatFails)
+{
+    const auto gain = *findParameter(family.parameters, "velocity.p");
+    device->knowledge().assume(gain, 7);
+    standIn("echo '** Erasing Settings **' >&2\nsleep 1\n"
+        + replay("erased address 0x0800c800 (length 3072) in 0.124s\n** Programming Started **\nError: failed", 1));
+    ASSERT_FALSE(update(by("openocd:stlink", true)));
+    EXPECT_EQ(device->parameters().entry(gain).raw, 7) << "that of the other one was erased";
+}
+
 TEST_F(AbstractDcUpdate, ADriveThatIsSilentWhileItIsWrittenAndAnswersThenIsDone)
 {
     const std::string text = success;

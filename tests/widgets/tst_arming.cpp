@@ -33,6 +33,7 @@ private Q_SLOTS:
     void silenceAndARestartEndAnArming_data();
     void silenceAndARestartEndAnArming();
     void aComputerThatSleptIsArmedAnew();
+    void anExperimentThatEndsAfterTheComputerSleptLeavesNothingArmed();
     void anUnknownPositionIsNoPlaceToStartFrom();
 
 private:
@@ -289,6 +290,21 @@ void TestArming::aComputerThatSleptIsArmedAnew()
     m_bench->arm();
     workbench.publish();
     QVERIFY(m_bench->arming.isArmed({1}));
+}
+
+void TestArming::anExperimentThatEndsAfterTheComputerSleptLeavesNothingArmed()
+{
+    TrialBench bench;
+    bench.workbench.slept.look(bench.workbench.time, {});
+    bench.choose(60'000.0);
+    bench.arm();
+    bench.page->run();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
+    bench.workbench.time += std::chrono::milliseconds(10);
+    bench.workbench.slept.look(bench.workbench.time, std::chrono::hours(1));
+    planned.finished(responseOf(planned.plan, 1, 0.5, bench.unit()));
+    bench.workbench.publish();
+    QCOMPARE(bench.arming.state(), LampState::Stopped);
 }
 
 void TestArming::anUnknownPositionIsNoPlaceToStartFrom()

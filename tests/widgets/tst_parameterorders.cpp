@@ -44,19 +44,25 @@ void TestParameterOrders::writeSendsExactlyWhatIsStaged()
 
 void TestParameterOrders::undoTakesBackWhatIsStagedBeforeWhatWasWritten()
 {
-    ParameterBench bench;
-    bench.stage("slot0.p", "2");
-    bench.stage("slot1.i", "3");
-    bench.edits().setIncluded(named("slot1.i"), false);
-    QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier);
-    const auto written = bench.workbench.given<orders::WriteParameters>();
-    QCOMPARE(written.size(), std::size_t{1});
-    bench.stage("slot1.p", "4"); // between the order and its answer
-    written[0].finished({});
-    for (const int left : {1, 0}) {
+    for (const bool leftComesFirst : {false, true}) {
+        ParameterBench bench;
+        bench.stage(leftComesFirst ? "slot1.i" : "slot0.p", leftComesFirst ? "3" : "2");
+        bench.stage(leftComesFirst ? "slot0.p" : "slot1.i", leftComesFirst ? "2" : "3");
+        bench.edits().setIncluded(named("slot1.i"), false);
+        QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier);
+        const auto written = bench.workbench.given<orders::WriteParameters>();
+        QCOMPARE(written.size(), std::size_t{1});
+        bench.stage("slot1.p", "4"); // between the order and its answer
+        written[0].finished({});
+        QVERIFY2(!bench.edits().find(named("slot1.i"))->included, "it stays as it was chosen");
+        for (const int left : {1, 0}) {
+            QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+            QCOMPARE(bench.edits().count(), left);
+            QVERIFY2(!bench.edits().find(named("slot0.p")), "its former value is not staged");
+            QVERIFY2(bench.workbench.given<orders::UndoWrite>().empty(), "the unit keeps what was written");
+        }
         QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
-        QCOMPARE(bench.edits().count(), left);
-        QVERIFY2(bench.workbench.given<orders::UndoWrite>().empty(), "the unit keeps what was written");
+        QCOMPARE(bench.workbench.given<orders::UndoWrite>().size(), std::size_t{1});
     }
 }
 

@@ -112,6 +112,9 @@ void TestProductionSight::whatComesNextIsSaidWithTheVerdict()
     bench.show({passed}, false);
     QVERIFY(!bench.page->verdict().verdict().hint.isEmpty());
     QCOMPARE(bench.page->verdict().verdict().facts.front().note, s("was there already"));
+    passed.visit.unproved = true;
+    bench.show({passed}, false);
+    QCOMPARE(bench.page->verdict().verdict().facts.front().note, s("written, not proved"));
     bench.workbench.served.counts.passed = 3;
     bench.show({passed}, false);
     QVERIFY2(bench.page->findChild<JournalCard *>()->text().contains(s("3 units")),

@@ -174,10 +174,8 @@ void Arming::enter(LampState state, const QString &reason)
     m_byHand = false;
     m_started = false;
     m_renewal.keep(state == LampState::Moving ? std::vector{m_device} : std::vector<DeviceId>());
-    if (state == LampState::Armed) {
+    if (state == LampState::Armed)
         m_armedUntil = m_workbench.now() + armedTime;
-        m_slept = sleptOf(m_workbench);
-    }
     Q_EMIT changed();
 }
 
@@ -191,6 +189,7 @@ void Arming::arm(DeviceId device)
         return;
     }
     m_device = device;
+    m_slept = sleptOf(m_workbench);
     m_workbench.report(Severity::Info, titleOf(*view), tr("armed"));
     enter(LampState::Armed);
 }

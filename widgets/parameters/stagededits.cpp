@@ -149,7 +149,15 @@ void StagedEdits::settle(const std::vector<ParameterChange> &sent)
         m_edits.erase(staged);
         Q_EMIT changed(change.index);
     }
-    m_undo.setClean(); // what was staged before it is written now
+    // A step of what is written now would stage its former value: what is left is all that there is to take back.
+    const auto left = m_edits;
+    m_undo.clear();
+    for (const auto &[index, edit] : left) {
+        const auto raw = known(index);
+        const auto before = raw ? std::optional(fieldText(parameter(index), *raw)) : std::nullopt;
+        m_undo.push(new Step(*this, index, before, edit.text, nullptr));
+    }
+    m_edits = left; // with what was chosen of each
 }
 
 void StagedEdits::put(ParameterIndex index, const std::optional<QString> &text)

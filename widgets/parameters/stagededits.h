@@ -66,8 +66,8 @@ public:
     /// What a write sends now: legal, included, in order.
     [[nodiscard]] std::vector<ParameterChange> toWrite() const;
     [[nodiscard]] QUndoStack &undoStack() { return m_undo; }
-    /// The last step is not written: it is this that undo takes back, and nothing of the unit.
-    [[nodiscard]] bool canUndo() const { return m_undo.canUndo() && (!m_undo.isClean() || count() > 0); }
+    /// It is this that undo takes back, and nothing of the unit.
+    [[nodiscard]] bool canUndo() const { return m_undo.canUndo(); }
 
 Q_SIGNALS:
     /// The edit of one parameter came, went or changed.

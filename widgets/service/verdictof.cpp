@@ -58,8 +58,8 @@ QString valueOf(const service::TestValue &value)
 /// Nothing had to be done to it.
 bool hadEverything(const service::Visit &visit)
 {
-    return visit.outcome == service::Outcome::Passed && !visit.to.empty() && visit.from == visit.to && !visit.parameters
-        && visit.test.empty() && !visit.number;
+    return visit.outcome == service::Outcome::Passed && !visit.to.empty() && visit.from == visit.to && !visit.unproved
+        && !visit.parameters && visit.test.empty() && !visit.number;
 }
 
 QString versionsOf(const service::Visit &visit)
@@ -74,6 +74,7 @@ std::vector<Verdict::Fact> factsOf(const service::Visit &visit)
     if (!visit.from.empty() || !visit.to.empty())
         facts.push_back({BenchText::tr("firmware"), versionsOf(visit),
             visit.to.empty()             ? QString()
+                : visit.unproved         ? BenchText::tr("written, not proved")
                 : visit.from == visit.to ? BenchText::tr("was there already")
                                          : BenchText::tr("it answers with it")});
     if (visit.parameters)

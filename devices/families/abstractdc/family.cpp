@@ -78,7 +78,7 @@ constexpr std::array routes{UpdateRoute{.scheme = "openocd",
 constexpr std::array<FaultRow, 3> faultRows{{
     {"output_saturated", QT_TRANSLATE_NOOP("table", "output saturated")},
     {"output_wrapped", QT_TRANSLATE_NOOP("table", "output wrapped around")},
-    {PowerCycleDebt::fault, QT_TRANSLATE_NOOP("table", "averaging lowered: switch it off and on")},
+    {PowerCycleDebt::fault, QT_TRANSLATE_NOOP("table", "averaging changed: it may overwrite its memory")},
 }};
 
 constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};

@@ -88,7 +88,7 @@ Task<Attempt> program(
             held.hold(forget);
         if (reading.stage() >= Stage::Resetting)
             held.release();
-        if (reading.isErased() && !wasErased && !held.hasAnswered()) // now: it may die
+        if (reading.isErased() && !wasErased && held.isSilent()) // now: this program may die
             forget();
         if (reading.stage() != before && reading.stage() == Stage::Writing)
             mark(progress, pages, PartState::Active);
@@ -105,7 +105,8 @@ Task<Attempt> program(
     const bool isWritten = exit && exit->isSuccess() && reading.isVerified();
     if (isWritten && held.hasAnswered())
         co_return Attempt{std::move(reading), anotherUnit(drive)};
-    forget();
+    if (!held.hasAnswered())
+        forget();
     if (isWritten)
         co_return Attempt{std::move(reading), {}};
     Error error = exit ? reading.failure(job) : exit.error();

@@ -245,10 +245,6 @@ void Motion::begun(const SetPoint &order)
 {
     m_applied = order;
     m_applied->buffered = false; // once more it would be kept
-    if (const auto end = m_count.destination(); end && order.relative && m_node.dialect != Dialect::D3) {
-        m_applied->relative = false; // as a place it can be sent once more (README.md#restarts)
-        m_applied->target = static_cast<double>(*end);
-    }
     m_run.reset();
     if (!m_count.ofNode())
         return;

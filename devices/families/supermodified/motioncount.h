@@ -35,13 +35,6 @@ public:
     /// the one it counts from is not known; where the motor is not `started`, a Start goes before it.
     [[nodiscard]] std::optional<Step> stepOf(const SetPoint &setPoint, bool started) const;
 
-    /// Where its loop was told to go, as set-points count; nothing where that is not known exactly.
-    [[nodiscard]] std::optional<std::int64_t> destination() const
-    {
-        const bool isExact = m_setPoint && !m_halted && m_setPoint->low == m_setPoint->high;
-        return isExact ? std::optional(m_setPoint->low + m_origin) : std::nullopt;
-    }
-
     /// From the motor to the set-point of its loop, as far as it is known.
     [[nodiscard]] std::optional<Step> error() const;
 

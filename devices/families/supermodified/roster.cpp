@@ -131,7 +131,8 @@ Message Roster::lockOf(int node) const
     for (const auto &[other, known] : m_nodes) {
         if (other != node && known.hidesMask && known.baudrate == entry(node).baudrate) // else it hears no frame
             return say(
-                "the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again",
+                "the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its "
+                "error.level to 0 where it is 1, then scan again",
                 other, node);
     }
     if (!m_hostIsFree)
