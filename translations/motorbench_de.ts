@@ -2262,6 +2262,10 @@
         <source>Start serves the next unit.</source>
         <translation>Start bearbeitet das nächste Gerät.</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>geschrieben, nicht bewiesen</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -18760,10 +18764,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>was da war, ist nicht bekannt, und die zuletzt versuchten gelten</translation>
     </message>
     <message>
-        <source>averaging lowered: switch it off and on</source>
-        <translation>Mittelung verkleinert: aus- und einschalten</translation>
-    </message>
-    <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
         <translation>seine Mittelung wurde verkleinert oder über 500 gesetzt, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben</translation>
     </message>
@@ -18804,8 +18804,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>warten, bis es fertig ist</translation>
     </message>
     <message>
-        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; neu suchen</translation>
+        <source>averaging changed: it may overwrite its memory</source>
+        <translation>Mittelung geändert: das Gerät kann seinen Speicher überschreiben</translation>
+    </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
+        <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; sein error.level auf 0 setzen, falls es 1 ist, dann neu suchen</translation>
     </message>
 </context>
 </TS>

@@ -2262,6 +2262,10 @@
         <source>Start serves the next unit.</source>
         <translation>Iniciar atiende la siguiente unidad.</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>escrito, sin demostrar</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -18760,10 +18764,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no se sabe lo que había, y las que se probaron están vigentes</translation>
     </message>
     <message>
-        <source>averaging lowered: switch it off and on</source>
-        <translation>promediado reducido: apáguelo y enciéndalo</translation>
-    </message>
-    <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
         <translation>su promediado se redujo o pasó de 500, hasta donde se puede saber, y mientras no haya perdido una vez la alimentación puede sobrescribir su propia memoria</translation>
     </message>
@@ -18804,8 +18804,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>espere a que termine</translation>
     </message>
     <message>
-        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; busque de nuevo</translation>
+        <source>averaging changed: it may overwrite its memory</source>
+        <translation>promediado cambiado: puede sobrescribir su memoria</translation>
+    </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
+        <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; ponga su error.level a 0 si es 1 y busque de nuevo</translation>
     </message>
 </context>
 </TS>

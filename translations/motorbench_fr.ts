@@ -2262,6 +2262,10 @@
         <source>Start serves the next unit.</source>
         <translation>Démarrer traite l’appareil suivant.</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>écrit, non prouvé</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -18760,10 +18764,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>on ne sait pas ce qu’il y avait, et ceux qui ont été essayés sont en vigueur</translation>
     </message>
     <message>
-        <source>averaging lowered: switch it off and on</source>
-        <translation>moyennage réduit&#xa0;: éteignez-le et rallumez-le</translation>
-    </message>
-    <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
         <translation>son moyennage a été diminué ou porté au-delà de 500, pour autant qu’on le sache, et tant qu’il n’a pas été mis une fois hors tension, il peut écraser sa propre mémoire</translation>
     </message>
@@ -18804,8 +18804,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>attendez que ce soit terminé</translation>
     </message>
     <message>
-        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2&#x202f;; relancez la recherche</translation>
+        <source>averaging changed: it may overwrite its memory</source>
+        <translation>moyennage modifié : il peut écraser sa mémoire</translation>
+    </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
+        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2 ; mettez son error.level à 0 s’il est à 1, puis relancez la recherche</translation>
     </message>
 </context>
 </TS>

@@ -2260,6 +2260,10 @@
         <source>Start serves the next unit.</source>
         <translation>「開始」で次の機器を処理します。</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>書き込み済み、未確認</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -18743,10 +18747,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>元の値は不明で、試した値が有効になっています</translation>
     </message>
     <message>
-        <source>averaging lowered: switch it off and on</source>
-        <translation>平均化を小さくした: 電源を入れ直す</translation>
-    </message>
-    <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
         <translation>平均化の値が小さくされたか 500 を超えて設定されたと考えられ、電源を一度切るまで自身のメモリを上書きするおそれがあります</translation>
     </message>
@@ -18787,8 +18787,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>終わるまで待ってください</translation>
     </message>
     <message>
-        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>ノード %1 のアクセプタンスマスクが分からないため、ノード %2 への指令も実行する可能性があります。再スキャンしてください</translation>
+        <source>averaging changed: it may overwrite its memory</source>
+        <translation>平均化が変更された: メモリを上書きする恐れ</translation>
+    </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
+        <translation>ノード %1 のアクセプタンスマスクが分からないため、ノード %2 への指令も実行する可能性があります。その error.level が 1 なら 0 にしてから再スキャンしてください</translation>
     </message>
 </context>
 </TS>

@@ -2260,6 +2260,10 @@
         <source>Start serves the next unit.</source>
         <translation>点击“启动”处理下一台。</translation>
     </message>
+    <message>
+        <source>written, not proved</source>
+        <translation>已写入，未证实</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -18743,10 +18747,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>原有内容未知，试过的值正在生效</translation>
     </message>
     <message>
-        <source>averaging lowered: switch it off and on</source>
-        <translation>平均数已减小：断电再上电</translation>
-    </message>
-    <message>
         <source>its averaging was lowered, or set beyond 500, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
         <translation>据所知，其平均数已减小或被设为超过 500，在断电一次之前，它可能会覆盖自身的存储器</translation>
     </message>
@@ -18787,8 +18787,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请等待其完成</translation>
     </message>
     <message>
-        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; scan again</source>
-        <translation>节点 %1 的接收掩码未知，发送给节点 %2 的内容它可能也会执行；请重新扫描</translation>
+        <source>averaging changed: it may overwrite its memory</source>
+        <translation>平均数已更改：可能覆盖其内存</translation>
+    </message>
+    <message>
+        <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
+        <translation>节点 %1 的接收掩码未知，发送给节点 %2 的内容它可能也会执行；若其 error.level 为 1，请设为 0 后重新扫描</translation>
     </message>
 </context>
 </TS>
