@@ -36,7 +36,7 @@ Error anotherUnit(const Device &device)
 void HeldDevice::hold(std::function<void()> silent)
 {
     m_asking.spawn<void>(m_device.refresh(), [this, silent = std::move(silent)](const Result<void> &answer) {
-        m_answered = answer.has_value();
+        m_hasAnswered = answer.has_value();
         if (!answer)
             silent();
     });

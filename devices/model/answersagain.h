@@ -6,7 +6,6 @@
 #include "model/device.h"
 
 #include <functional>
-#include <optional>
 
 namespace mb {
 
@@ -26,13 +25,11 @@ public:
     void hold(std::function<void()> silent);
     /// It may run again: what it says from now on proves nothing.
     void release() { m_asking.clear(); }
-    [[nodiscard]] bool hasAnswered() const { return m_answered == true; }
-    /// It was asked, and did not.
-    [[nodiscard]] bool isSilent() const { return m_answered == false; }
+    [[nodiscard]] bool hasAnswered() const { return m_hasAnswered; }
 
 private:
     Device &m_device;
-    std::optional<bool> m_answered;
+    bool m_hasAnswered = false;
     Scope m_asking; ///< last: uses everything above
 };
 

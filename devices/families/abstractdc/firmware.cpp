@@ -88,7 +88,7 @@ Task<Attempt> program(
             held.hold(forget);
         if (reading.stage() >= Stage::Resetting)
             held.release();
-        if (reading.isErased() && !wasErased && held.isSilent()) // now: this program may die
+        if (reading.isErased() && !wasErased && !held.hasAnswered()) // now: it may die
             forget();
         if (reading.stage() != before && reading.stage() == Stage::Writing)
             mark(progress, pages, PartState::Active);
