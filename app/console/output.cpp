@@ -2,6 +2,7 @@
 #include "app/console/output.h"
 
 #include "async/event.h"
+#include "async/sleep.h"
 
 #include <QJsonDocument>
 

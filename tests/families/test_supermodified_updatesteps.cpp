@@ -3,6 +3,7 @@
 #include "supermodifiedupdatebench.h"
 
 #include "async/background.h"
+#include "async/virtualclock.h"
 
 #include <utility>
 

@@ -2,6 +2,7 @@
 // What is being written is in sight until it is over, whatever is selected meanwhile.
 #include "parameterbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/pagemap.h"
 

@@ -12,6 +12,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QJsonDocument>
 #include <QTableWidget>
 
 using namespace mb;

@@ -14,6 +14,7 @@
 #include "widgets/service/unitlist.h"
 #include "widgets/service/verdictof.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QFile>
 #include <QLabel>
