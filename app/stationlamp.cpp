@@ -26,7 +26,7 @@ void StationLamp::follow()
     m_header.setLampStatus(over(m_arming.status(m_selection.device())));
 }
 
-/// The unit whose self-test runs now, its motor with it; one that is announced, or waits, turns nothing yet.
+/// The unit whose self-test runs now, its motor with it, until it is seen to rest; one that is announced, or waits, turns nothing yet.
 const service::QueueRow *StationLamp::tested() const
 {
     const ServiceView &view = m_workbench.service();
@@ -34,7 +34,7 @@ const service::QueueRow *StationLamp::tested() const
         return row.state == service::RowState::Running && row.visit.step == service::Step::Test;
     };
     const bool turns = std::ranges::count_if(view.rows, isTested) > view.announced + view.waiting;
-    return turns && view.mayTurn != MayTurn::Nothing ? &**std::ranges::find_if(view.rows, isTested) : nullptr;
+    return turns ? &**std::ranges::find_if(view.rows, isTested) : nullptr;
 }
 
 /// What a queue says never makes less of a motor that moves, or may.

@@ -89,7 +89,7 @@ std::string textOf(const service::Visit &visit)
 {
     std::string text = std::string(toString(visit.outcome)) + "  " + nameOf(visit) + "  " + visit.device;
     if (!visit.to.empty())
-        text += "  " + (visit.from.empty() ? "?" : visit.from) + " → " + visit.to;
+        text += "  " + (visit.from == visit.to ? "" : (visit.from.empty() ? "?" : visit.from) + " → ") + visit.to;
     text += "  " + numberText(std::round(visit.seconds * 10.0) / 10.0) + " s";
     if (!visit.cause.empty())
         text += "  at " + std::string(toString(visit.step)) + ": " + joined(visit.cause, visit.remedy).english();

@@ -44,7 +44,7 @@ Task<UpdateReport> FirmwareUpdates::update(
     m_scans.forget(device.link());
     const service::BusyDevice busy(device, say("firmware update"));
     auto keeping = m_parameters.keepBefore(device, settings::Occasion::Update, progress);
-    (void)co_await std::move(keeping).attempt();
+    co_await std::move(keeping);
     auto updating = device.family().update(device, *image, std::move(options), progress);
     co_return co_await std::move(updating).attempt();
 }

@@ -2,20 +2,23 @@
 #include "app/engine/lentlinks.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 
-void LentLinks::choose(std::vector<std::string> addresses)
+void LentLinks::forget()
 {
     giveBack();
-    m_addresses = std::move(addresses);
+    m_addresses.clear();
     m_links.clear();
 }
 
-Result<void> LentLinks::take()
+Result<void> LentLinks::take(const std::vector<std::string> &addresses)
 {
+    if (addresses.empty())
+        return fail(Fault::Refused, say("no link is open on which such units may be"), say("open it first"));
     std::vector<Link *> lent;
-    for (const std::string &address : m_addresses) {
+    for (const std::string &address : addresses) {
         Link *const link = linkAt(address);
         if (lend(link)) {
             lent.push_back(link);
@@ -26,7 +29,9 @@ Result<void> LentLinks::take()
         return fail(Fault::Timeout, say("%1 is not open, or something runs there", address),
             say("open it, or end what runs there first"));
     }
+    m_addresses = addresses;
     m_links = std::move(lent);
+    m_lost = 0;
     return {};
 }
 
@@ -43,6 +48,12 @@ bool LentLinks::areThere() const
     const auto links = m_context.session.links();
     return std::ranges::all_of(
         m_links, [&links](const Link *link) { return std::ranges::find(links, link) != links.end(); });
+}
+
+bool LentLinks::isOneMoreLost()
+{
+    const auto lost = std::ranges::count_if(m_links, [](const Link *link) { return link->state() == LinkState::Lost; });
+    return std::exchange(m_lost, lost) < lost;
 }
 
 Link *LentLinks::linkAt(const std::string &address) const

@@ -3,6 +3,7 @@
 
 #include "app/engine/scans.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,16 +22,21 @@ public:
     LentLinks &operator=(const LentLinks &) = delete;
     ~LentLinks() { giveBack(); }
 
-    /// From now on these are meant; those before have been given back.
-    void choose(std::vector<std::string> addresses);
+    /// All of them, or none, and then those before are meant still. Those before have been given back. Refused: there is none; Timeout:
+    /// one is not there, or busy.
+    [[nodiscard]] Result<void> take(const std::vector<std::string> &addresses);
+    /// Those that were given back once more.
+    [[nodiscard]] Result<void> takeAgain() { return take(std::vector(m_addresses)); }
     [[nodiscard]] const std::vector<std::string> &addresses() const { return m_addresses; }
-    /// All of them or none. Timeout: one is not there, or busy.
-    [[nodiscard]] Result<void> take();
     void giveBack();
+    /// Gives them back, and none is meant.
+    void forget();
     /// As take() found them.
     [[nodiscard]] const std::vector<Link *> &links() const { return m_links; }
     /// None was closed since.
     [[nodiscard]] bool areThere() const;
+    /// Whether one has been lost since this was asked last. While areThere().
+    [[nodiscard]] bool isOneMoreLost();
 
 private:
     [[nodiscard]] Link *linkAt(const std::string &address) const;
@@ -41,6 +47,7 @@ private:
     Scans &m_scans;
     std::vector<std::string> m_addresses;
     std::vector<Link *> m_links;
+    std::ptrdiff_t m_lost = 0;
 };
 
 } // namespace mb

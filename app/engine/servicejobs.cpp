@@ -44,11 +44,11 @@ Result<void> ServiceJobs::begin(const orders::ServeUnits &order)
         return alreadyServing();
     if (!m_books.visits || !order.matter)
         return fail(Fault::Unsupported);
-    leave();
+    if (auto lent = m_links.take(order.links); !lent)
+        return lent; // and what was served before stays in sight
+    m_permit.arm(false);
+    m_queue.reset();
     m_last = {};
-    m_links.choose(order.links);
-    if (auto lent = m_links.take(); !lent)
-        return lent;
     m_trouble = {};
     m_permit.setLeaving(false);
     m_judged.clear();
@@ -94,11 +94,17 @@ void ServiceJobs::carryOut(const orders::KeepJournal &order, const Finished &fin
     finished({});
 }
 
-/// A link that was closed takes its queue along: nothing can be done again there, and what is known stays in sight.
+/// A link that is lost ends the arming. One that was closed takes its queue along: nothing can be done again there, and what is known
+/// stays in sight.
 void ServiceJobs::followLinks()
 {
-    if (!m_queue || m_links.areThere())
+    if (!m_queue)
         return;
+    if (m_links.areThere()) {
+        if (m_links.isOneMoreLost())
+            arm(false);
+        return;
+    }
     ServiceView last = view();
     leave();
     last.running = false;
@@ -111,7 +117,7 @@ void ServiceJobs::leave()
 {
     m_permit.arm(false);
     m_queue.reset();
-    m_links.choose({});
+    m_links.forget();
 }
 
 void ServiceJobs::queueChanged()
@@ -149,14 +155,13 @@ void ServiceJobs::carryOut(const orders::SkipUnit &order, const Finished &finish
 /// A queue that has ended gets its links back for it, if anything comes of the order; only then somebody will arm again.
 Result<void> ServiceJobs::again(const std::function<Result<void>()> &order)
 {
-    Result<void> done = fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
     if (!m_queue)
-        return done;
+        return fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
     const bool idle = !isRunning();
-    if (idle && !m_links.take())
-        return done;
+    if (auto lent = idle ? m_links.takeAgain() : Result<void>(); !lent)
+        return lent;
     m_trouble = {};
-    done = order();
+    const Result<void> done = order();
     if (done)
         m_permit.setLeaving(false);
     if (idle && !isRunning())
@@ -172,13 +177,15 @@ void ServiceJobs::carryOut(const orders::RetryUnit &order, const Finished &finis
 
 void ServiceJobs::carryOut(const orders::RetryFailedUnits &, const Finished &finished)
 {
-    (void)again([this] { return m_queue->retryFailed() ? Result<void>() : fail(Fault::Refused); });
-    finished({});
+    finished(again([this] {
+        return m_queue->retryFailed() ? Result<void>()
+                                      : fail(Fault::Refused, say("no unit has failed that is still there"));
+    }));
 }
 
 void ServiceJobs::carryOut(const orders::CancelService &, const Finished &finished)
 {
-    arm(false);
+    m_permit.disarmNext();
     if (isRunning()) {
         m_permit.setLeaving(true);
         m_queue->finish();
@@ -192,7 +199,7 @@ void ServiceJobs::carryOut(const orders::CancelService &, const Finished &finish
 
 void ServiceJobs::carryOut(const orders::FinishService &, const Finished &finished)
 {
-    arm(false);
+    m_permit.disarmNext(); // a self-test that runs is brought to its end
     m_permit.setLeaving(true);
     if (m_queue)
         m_queue->finish();

@@ -47,6 +47,8 @@ void StationPermit::arm(bool on)
 void StationPermit::set(MayTurn mayTurn)
 {
     m_mayTurn = mayTurn;
+    if (mayTurn == MayTurn::Nothing)
+        takeBack();
     restart();
     m_changed.notify();
 }

@@ -10,7 +10,8 @@
 namespace mb {
 
 /// Who may let the motors of self-tests turn: whoever has armed the station, until it is disarmed, five minutes pass without a
-/// unit or the computer sleeps. Each motion is announced for three seconds, in which somebody can still say no. Engine thread.
+/// unit or the computer sleeps: then what turns is stopped, too. Each motion is announced for three seconds, in which somebody can
+/// still say no. Engine thread.
 class StationPermit final : public service::MotionPermit {
 public:
     explicit StationPermit(Clock &clock);

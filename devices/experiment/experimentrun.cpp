@@ -299,8 +299,11 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
     if (m_moved) { // else it is of an experiment before
         ending.stream = m_stream.end();
         ending.streamReason = m_stream.reason();
-        if (error && ending.stream == SetPointStream::End::None && m_device.liveness().foreignMaster) {
-            ending.stream = SetPointStream::End::ForeignMaster; // it came between two pushes
+        using End = SetPointStream::End;
+        const Liveness &seen = m_device.liveness();
+        if (error && ending.stream == End::None
+            && (seen.foreignMaster || seen.restarted)) { // it came between two pushes
+            ending.stream = seen.foreignMaster ? End::ForeignMaster : End::DeviceRestarted;
             ending.streamReason = error->detail;
         }
     }

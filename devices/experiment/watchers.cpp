@@ -176,7 +176,11 @@ void LossWatch::add(Instant now, std::uint64_t samples, std::uint64_t lost)
         m_counts.pop_front();
     const std::uint64_t came = samples - m_counts.front().samples;
     const std::uint64_t missing = lost - m_counts.front().lost;
-    m_share = came + missing < enoughSamples ? 0.0 : static_cast<double>(missing) / static_cast<double>(came + missing);
+    if (came + missing < enoughSamples)
+        m_share = 0.0;
+    else // a whole second brings as many as the part of it that is known, and one poll of a few is no twentieth of them
+        m_share
+            = static_cast<double>(missing) / static_cast<double>(came + missing) * inSeconds(now - m_counts.front().at);
 }
 
 } // namespace mb::tuning

@@ -105,7 +105,7 @@ private:
     std::deque<Instant> m_flips;
 };
 
-/// Share of samples that were lost in the last second.
+/// Share of samples that were lost in the last second, of what a whole one brings.
 class LossWatch {
 public:
     void add(Instant now, std::uint64_t samples, std::uint64_t lost);

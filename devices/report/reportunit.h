@@ -40,6 +40,8 @@ struct ReportWish {
     std::vector<std::int64_t> trials;
     std::string unit;
     bool tuningsOnly = false; ///< the trials name the tunings that are wanted, and are not shown by themselves
+    /// Of the unit's services the last that counts, and of one that is known by its place the only one; empty: all of them do.
+    std::string visit{};
 };
 
 /// What a service engineer hands to a customer: who a unit is, what was measured, with which gains and how it was proven.

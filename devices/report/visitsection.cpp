@@ -95,7 +95,7 @@ QString phrased(const Report &report, const Message &text)
 QString firmwareText(const Visit &visit)
 {
     const QString before = visit.from.empty() ? QStringLiteral("–") : escaped(visit.from);
-    return visit.to.empty() ? before : before + QStringLiteral(" → ") + escaped(visit.to);
+    return visit.to.empty() || visit.to == visit.from ? before : before + QStringLiteral(" → ") + escaped(visit.to);
 }
 
 } // namespace

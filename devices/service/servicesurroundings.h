@@ -8,16 +8,42 @@
 
 #include <functional>
 #include <set>
+#include <vector>
 
 namespace mb::service {
 
-/// Who lets a motor turn. Thread of the session.
+/// Who lets a motor turn, and may take that back while it turns. Thread of the session.
 class MotionPermit {
 public:
+    MotionPermit() = default;
+    MotionPermit(const MotionPermit &) = delete;
+    MotionPermit &operator=(const MotionPermit &) = delete;
     virtual ~MotionPermit() = default;
     /// Before each self-test: ends when the motor may turn, which somebody was told before; says what it waits for. Fails where it
     /// may not (Unsafe), where the unit is gone meanwhile (Timeout, LinkLost), and with Cancelled, which leaves the visit open.
     [[nodiscard]] virtual Task<void> beforeMotion(const Device &device, const SelfTest &test, Progress &progress) = 0;
+
+protected:
+    /// Every motor that turns by this permit stops, and its self-test ends as one that was stopped by hand.
+    void takeBack();
+
+private:
+    friend class PermittedMotion;
+    std::vector<tuning::Interruption *> m_turning;
+};
+
+/// A self-test whose motor turns by a permit, as long as it lives. Permit and interruption outlive it; without an interruption nobody
+/// can end it.
+class PermittedMotion {
+public:
+    PermittedMotion(MotionPermit &permit, tuning::Interruption *interruption);
+    PermittedMotion(const PermittedMotion &) = delete;
+    PermittedMotion &operator=(const PermittedMotion &) = delete;
+    ~PermittedMotion();
+
+private:
+    MotionPermit &m_permit;
+    tuning::Interruption *m_interruption;
 };
 
 /// What a service of a unit shares with who started it, who outlives it. Thread of the session.

@@ -307,11 +307,12 @@ Task<Message> UnitRun::setParameters()
 Task<TestFinding> UnitRun::testOnce()
 {
     const SelfTest &wanted = *m_around.matter.recipe.test;
-    const tuning::Interruption *const stop = m_around.experiments.interruption;
+    tuning::Interruption *const stop = m_around.experiments.interruption;
     auto asking = m_around.permit->beforeMotion(m_device, wanted, m_progress);
     co_await std::move(asking);
     if (stop && stop->isRequested())
         co_return fail(Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe"));
+    const PermittedMotion turning(*m_around.permit, stop);
     auto testing = runSelfTest(m_device, m_stream, wanted, m_around.experiments);
     co_return co_await std::move(testing);
 }

@@ -68,15 +68,20 @@ bool isVisitOf(const std::string &unit, const service::Visit &visit)
     return visit.unit.starts_with(line) && unit == (visit.number ? line + std::to_string(*visit.number) : visit.unit);
 }
 
-void addVisits(Database &database, ReportUnit &unit)
+/// Until one, if that is named: what came after it is no matter of its report. On a place another unit may have come each time.
+void addVisits(Database &database, ReportUnit &unit, const std::string &last)
 {
     service::VisitFilter served;
     if (unitByOf(unit.unit) == UnitBy::Serial)
         served.unit = unit.unit;
     if (auto visits = getVisits(database, served)) { // a file that is read only may be older than they are
         for (KeptVisit &kept : *visits) {
-            if (isVisitOf(unit.unit, kept.visit))
+            const bool isLast = kept.visit.id == last;
+            const bool isOnly = !last.empty() && unitByOf(unit.unit) == UnitBy::Place;
+            if (isOnly ? isLast : isVisitOf(unit.unit, kept.visit))
                 unit.visits.push_back(std::move(kept.visit));
+            if (isLast)
+                break;
         }
     }
 }
@@ -128,7 +133,7 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
     if (!history)
         return fail(history.error());
     unit.history = std::move(*history);
-    addVisits(book.database(), unit);
+    addVisits(book.database(), unit, wish.visit);
     if (auto added = addTunings(book, unit, wish.trials); !added)
         return added;
     unit.trials = shownTrials(unit, wish);

@@ -80,6 +80,14 @@ protected:
         return std::any_of(all.begin(), all.end(), [](const Device *one) { return one->liveness().moving; });
     }
 
+    /// A motor is driven by a self-test now.
+    [[nodiscard]] bool isDriven()
+    {
+        const auto all = core->session().devices();
+        return std::any_of(
+            all.begin(), all.end(), [this](Device *one) { return core->session().stream(*one).isRunning(); });
+    }
+
     QTemporaryDir folder;
     VirtualClock clock;
     std::unique_ptr<Database> database;
@@ -111,6 +119,8 @@ protected:
     const QByteArray plain = R"({"recipe":1,"name":"look","family":"dmc60c"})";
     const QByteArray moving = R"({"recipe":1,"name":"turn","family":"dmc60c","test":{"loop":"velocity","to":2000,
 "limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},"accept":{"overshoot":9}}})";
+    const QByteArray pushing = R"({"recipe":1,"name":"push","family":"dmc60c","test":{"loop":"velocity","to":2000,
+"limits":{"travel":200000,"speed":200000,"duty":0.5,"current":40},"accept":{"friction":[0,9]}}})";
     const QByteArray failing = R"({"recipe":1,"name":"strict","family":"dmc60c","test":{"loop":"velocity","to":2000,
 "limits":{"travel":20000,"speed":20000,"duty":0.5,"current":40},"accept":{"settle":0.001}}})";
 };

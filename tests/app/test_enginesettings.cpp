@@ -170,6 +170,18 @@ TEST_F(SettingsCore, ARestoreIsRefusedWhereWhatIsThereCannotBeKept)
     EXPECT_TRUE(changes().empty());
 }
 
+TEST_F(SettingsCore, AnUpdateIsRefusedWhereWhatIsThereCannotBeKept)
+{
+    ASSERT_TRUE(clock.runUntil([this] { return !snapshots().empty(); }, 10s));
+    ASSERT_TRUE(database->run(
+        "CREATE TRIGGER full BEFORE INSERT ON snapshot BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
+    core.send(orders::UpdateFirmware{id(), std::make_shared<FirmwareImage>(), {}}, heard());
+    const auto refused = ends();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::NotKept);
+    EXPECT_EQ(device(7)->identity().state, DeviceState::Online);
+}
+
 TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
 {
     clock.advance(3s);

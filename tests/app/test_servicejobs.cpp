@@ -209,6 +209,72 @@ TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)
     ASSERT_TRUE(clock.runUntil([this] { return !view().running && !anyMoves(); }, 30s));
 }
 
+TEST_F(Served, WhoTakesTheArmingBackBetweenTwoPushesEndsTheSelfTest)
+{
+    ASSERT_TRUE(serve({recipe(pushing), {"sim:can"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(renewedUntil([this] { return isDriven(); }));
+    ASSERT_TRUE(renewedUntil([this] { return !isDriven() && !anyMoves(); })) << "the first push has ended";
+    ASSERT_EQ(waiting().visit.step, service::Step::Test);
+    core->stopAll(StopCause::Program); // the window has lost the focus
+    EXPECT_EQ(view().mayTurn, MayTurn::Nothing);
+    const auto refusedStart = clock.now() + 10s;
+    EXPECT_FALSE(renewedUntil([&] { return isDriven() || clock.now() > refusedStart; }) && isDriven());
+    EXPECT_EQ(view().counts.failed, 1);
+    EXPECT_EQ(view().rows.front().visit.cause.english(), "the self-test was stopped by hand");
+}
+
+TEST_F(Served, WhoEndsTheQueueLetsTheSelfTestThatTurnsComeToItsEnd)
+{
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(renewedUntil([this] { return anyMoves(); }));
+    core->send(orders::FinishService{});
+    ASSERT_TRUE(clock.runUntil(
+        [this] {
+            if (view().mayTurn != MayTurn::Nothing) // as the page does
+                core->send(orders::RenewService{});
+            return !view().running;
+        },
+        1min));
+    EXPECT_EQ(view().counts.passed, 1);
+    EXPECT_EQ(view().counts.failed, 0);
+}
+
+TEST_F(Served, ALostLinkEndsTheArming)
+{
+    core->send(orders::OpenLink{*LinkAddress::parse("sim:can?seed=2&fault=busoff@12")});
+    clock.advance(5s);
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can", "sim:can?seed=2&fault=busoff@12"}, std::nullopt}));
+    core->send(orders::ArmService{true});
+    ASSERT_TRUE(renewedUntil([this] { return view().mayTurn == MayTurn::Nothing; }));
+    EXPECT_TRUE(view().running) << "the other link is served";
+    clock.advance(1s);
+    EXPECT_FALSE(renewedUntil([this] { return isDriven() || view().waitsForArm(); }) && isDriven());
+    core->send(orders::ArmService{true});
+    EXPECT_TRUE(view().isArmed()) << "for those that are there";
+}
+
+TEST_F(Served, WhatWasServedStaysInSightWhereTheNextQueueIsRefused)
+{
+    ASSERT_TRUE(serve({recipe(plain), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+    const std::size_t rows = view().rows.size();
+    ASSERT_GT(rows, 0U);
+    EXPECT_FALSE(serve({recipe(plain), {"sim:nowhere"}, std::nullopt}));
+    EXPECT_FALSE(serve({recipe(plain), {}, std::nullopt})) << "on no link";
+    EXPECT_EQ(view().rows.size(), rows);
+    test::Heard<> retried;
+    core->send(orders::RetryFailedUnits{}, retried.finished());
+    ASSERT_TRUE(retried.has_value());
+    ASSERT_FALSE(*retried);
+    EXPECT_EQ(retried->error().detail.english(), "no unit has failed that is still there");
+    core->send(orders::CloseLink{"sim:can"});
+    clock.advance(1s);
+    core->send(orders::RetryFailedUnits{}, retried.finished());
+    EXPECT_FALSE(*retried);
+}
+
 TEST_F(Served, WhoeverEndsItDisarms)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, 0}));

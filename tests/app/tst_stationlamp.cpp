@@ -16,6 +16,7 @@ class StationLampTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded();
+    void aTestWhoseArmingWasTakenBackIsShownUntilItRests();
     void aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext();
     void aTestThatIsAnnouncedTurnsNothingYet();
     void unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing();
@@ -55,6 +56,14 @@ void StationLampTest::aTestThatGoesOnAfterAFailElsewhereIsShownAndCanBeEnded()
     const auto orders = station.workbench.given<orders::ArmService>();
     QCOMPARE(orders.size(), std::size_t{1});
     QVERIFY(!orders.front().on);
+}
+
+void StationLampTest::aTestWhoseArmingWasTakenBackIsShownUntilItRests()
+{
+    LampBench station;
+    station.workbench.served.mayTurn = MayTurn::Nothing;
+    station.serveTests(1);
+    QCOMPARE(station.state(), LampState::Moving);
 }
 
 void StationLampTest::aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext()

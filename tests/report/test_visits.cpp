@@ -59,6 +59,15 @@ TEST(ServiceCard, ComparesWithTheLastVisit)
     EXPECT_TRUE(html.contains(QStringLiteral("Every service of this unit")));
 }
 
+TEST(ServiceCard, FirmwareThatWasThereAlreadyIsNoUpdate)
+{
+    auto visit = visitOf(1e9, 0.24, Outcome::Passed);
+    visit.from = visit.to;
+    const QString html = htmlOf(reportOf({visit}));
+    EXPECT_TRUE(html.contains(QStringLiteral("1.25")));
+    EXPECT_FALSE(html.contains(QStringLiteral("1.25 → 1.25"))) << html.toStdString();
+}
+
 TEST(ServiceCard, FrictionAndGainAreInVoltsOnlyOfAUnitThatMeasuresItsBusVoltage)
 {
     for (const Family *const family : families()) {

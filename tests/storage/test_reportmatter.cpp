@@ -154,6 +154,36 @@ TEST_F(Reports, AUnitWithoutASerialNumberHasTheServicesOfItsPlaceAndOfNoOtherUni
     EXPECT_EQ(ids, (std::set<std::string>{"has its number", "moved to 10"}));
 }
 
+TEST_F(Reports, OfOneServiceOfManyTheReportEndsWithItAndThatOfAPlaceHasNoOther)
+{
+    const auto idsOf = [this](const std::string &unit, const std::string &visit) {
+        std::vector<std::string> ids;
+        for (const ReportUnit &one : of({{}, unit, false, visit})) {
+            for (const service::Visit &served : one.visits)
+                ids.push_back(served.id);
+        }
+        return ids;
+    };
+    const std::string place = "simulated place sim:serial supermodified:4";
+    for (const auto &[id, unit] :
+        {std::pair("march", "simulated dmc60c SN7"), std::pair("june", "simulated dmc60c SN7"),
+            std::pair("first there", place.c_str()), std::pair("second there", place.c_str())}) {
+        service::Visit visit;
+        visit.id = id;
+        visit.unit = unit;
+        visit.number = 10; // from its next power cycle on
+        visit.time = clock.now().time_since_epoch().count() * 1e-9;
+        EXPECT_TRUE(putVisits(*database, {{visit, 1}}));
+        clock.advance(std::chrono::minutes(1));
+    }
+    using Ids = std::vector<std::string>;
+    EXPECT_EQ(idsOf("simulated dmc60c SN7", "march"), Ids{"march"});
+    EXPECT_EQ(idsOf("simulated dmc60c SN7", "june"), (Ids{"march", "june"}));
+    EXPECT_EQ(idsOf("simulated dmc60c SN7", ""), (Ids{"march", "june"}));
+    EXPECT_EQ(idsOf(place, "first there"), Ids{"first there"});
+    EXPECT_EQ(idsOf(place, "second there"), Ids{"second there"});
+}
+
 TEST_F(Reports, ANumberThatIsNotThereIsSaidSo)
 {
     const auto units = reportUnits(*book, families(), {{3, 99}, {}, false});

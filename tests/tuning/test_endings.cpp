@@ -262,6 +262,18 @@ TEST(Endings, ByAnotherMasterAreNamedWhereItComesBetweenTwoPushes)
     EXPECT_EQ(trial.reason, "foreign master") << trial.detail;
 }
 
+TEST(Endings, ByARestartAreNamedWhereItComesBetweenTwoPushes)
+{
+    ExperimentBench bench;
+    const Trial trial = endedAtTheFirstPush(bench, [&] {
+        ASSERT_TRUE(bench.bench.clock.runUntil([&] { return !bench.simulator()->isOutputOn(); }, 5s));
+        bench.simulator()->setPowered(false);
+        bench.bench.clock.advance(1ms);
+        bench.simulator()->setPowered(true);
+    });
+    EXPECT_EQ(trial.reason, "device restarted") << trial.detail;
+}
+
 TEST(Endings, OfTheFirstPushByStopIsAnInterruption)
 {
     std::atomic<bool> pressed = false;

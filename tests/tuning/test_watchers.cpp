@@ -278,7 +278,17 @@ TEST(LossWatch, FewerThanFortySamplesTellNothing)
     loss.add(start + 500ms, 134, 10);
     EXPECT_EQ(loss.share(), 0.0);
     loss.add(start + 600ms, 135, 10);
-    EXPECT_DOUBLE_EQ(loss.share(), 5.0 / 40.0);
+    EXPECT_DOUBLE_EQ(loss.share(), 5.0 / 40.0 * 0.6);
+}
+
+TEST(LossWatch, OnePollAtTheBeginningIsNoTwentiethOfASecond)
+{
+    LossWatch loss;
+    loss.add(start, 0, 0);
+    loss.add(start + 150ms, 42, 3);
+    EXPECT_LT(loss.share(), 0.05);
+    loss.add(start + 400ms, 60, 60);
+    EXPECT_GT(loss.share(), 0.05) << "half of them are";
 }
 
 TEST(LossWatch, IsThatOfTheLastSecond)

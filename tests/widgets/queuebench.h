@@ -31,6 +31,9 @@ struct QueueBench {
 
     QueueBench()
     {
+        addLink("sim:can", LinkKind::Can);
+        addLink("socketcan:can1", LinkKind::Can);
+        addLink("sim:serial", LinkKind::Serial);
         add(1, 5, "sim:can", "2103343A79F2");
         add(2, 7, "sim:can", "2103343A7A44");
         add(3, 9, "socketcan:can1", "2103343A79E0");
@@ -42,6 +45,14 @@ struct QueueBench {
     }
     [[nodiscard]] QueueBoard &board() const { return page->queue(); }
     [[nodiscard]] QueueModel &model() const { return board().model(); }
+    void addLink(const std::string &address, LinkKind kind)
+    {
+        LinkView link;
+        link.address = address;
+        link.kind = kind;
+        link.state = LinkState::Open;
+        workbench.shot.links.push_back(link);
+    }
     void add(std::uint32_t id, int address, const std::string &link, const std::string &serial)
     {
         DeviceView device = readDrive(id, address);

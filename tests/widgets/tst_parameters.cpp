@@ -49,6 +49,7 @@ private Q_SLOTS:
     void anEditThatCameTrueIsGone();
     void undoAndRedoGoThroughEveryStep();
     void undoAfterAWriteStagesTheOldValue();
+    void whatAWriteLeftIsTakenBackInTheOrderInWhichItWasStaged();
     void importIsOneStepOfUndo();
     void limitsComeFirstAndDampingBeforeP();
     void loweringPComesBeforeLoweringD();
@@ -192,6 +193,21 @@ void TestParameters::undoAfterAWriteStagesTheOldValue()
     edits.undoStack().undo();
     QCOMPARE(edits.toWrite().size(), std::size_t{1});
     QCOMPARE(edits.toWrite().front().raw, rawOf("current_limit.peak", 60));
+}
+
+void TestParameters::whatAWriteLeftIsTakenBackInTheOrderInWhichItWasStaged()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    for (const char *key : {"slot1.d", "slot0.i", "slot1.p", "slot0.p"})
+        edits.stage(named(key), QStringLiteral("1"));
+    edits.stage(named("slot0.i"), QStringLiteral("2"));
+    edits.settle({{named("slot1.p"), rawOf("slot1.p", 1)}});
+    for (const char *key : {"slot0.i", "slot0.p", "slot1.d"}) {
+        QVERIFY(edits.find(named(key)));
+        edits.undoStack().undo();
+        QVERIFY2(!edits.find(named(key)), key);
+    }
 }
 
 void TestParameters::importIsOneStepOfUndo()

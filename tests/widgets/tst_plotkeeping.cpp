@@ -17,6 +17,7 @@ private Q_SLOTS:
     void layoutsComeBack();
     void aLayoutWaitsForItsDevices();
     void aFamilyCanBeginWithItsOwnLayout();
+    void aLayoutThatCannotBeKeptIsTold();
     void resetBringsTheUsualBack();
     void theScrubberScrollsBackWhileRecording();
     void recordingBeginsBeforeItWasAskedFor();
@@ -163,6 +164,20 @@ void TestPlotKeeping::aFamilyCanBeginWithItsOwnLayout()
     QCOMPARE(bench.board().traces().front().style.name, s("#5 temperature"));
     bench.selection.select({2});
     QCOMPARE(bench.board().traces().front().style.name, s("#7 temperature"));
+}
+
+void TestPlotKeeping::aLayoutThatCannotBeKeptIsTold()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    QFile inTheWay(folder.filePath(s("plots")));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    bench.page->setLayoutFolder(folder.filePath(s("plots/layouts")));
+    bench.page->addSignal({{2}, channel("velocity")});
+    QVERIFY(bench.workbench.lines.empty());
+    bench.page.reset(); // what is there is kept at the end of the program
+    QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
+    QVERIFY(bench.workbench.lines.front().text.contains(s("plots")));
 }
 
 void TestPlotKeeping::resetBringsTheUsualBack()

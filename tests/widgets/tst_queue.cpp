@@ -35,6 +35,8 @@ private Q_SLOTS:
     void theLogTellsEveryUnit();
     void pauseSkipRetryAndCancelAreOrders();
     void aCutQueueIsOfferedAndGoneOnWith();
+    void aCutQueueIsOfferedUntilItIsDismissed();
+    void whatWasCutOffIsLookedForOnEveryLinkThatIsOpen();
     void whatEndedIsSavedAsATable();
     void aRefusedStartIsSaid();
     void ticksAreForKeyboardAndReader();
@@ -382,6 +384,40 @@ void QueueTest::aCutQueueIsOfferedAndGoneOnWith()
     QCOMPARE(begun.front().links.size(), 2U);                       // wherever it hangs now
     bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     QVERIFY(!banner->isVisible());
+}
+
+void QueueTest::aCutQueueIsOfferedUntilItIsDismissed()
+{
+    QueueBench bench;
+    auto *banner = bench.board().findChild<Banner *>();
+    bench.workbench.visited.cut = {"run 7", 3, 1};
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.board().goOn();
+    bench.workbench.given<orders::ServeUnits>().at(0).finished(fail(Fault::Timeout, say("can0 is not open")));
+    QVERIFY2(banner->isVisible(), "nothing came of it");
+    for (int round = 0; round < 2; ++round) { // cancelled, and gone on with, and cancelled again
+        bench.board().goOn();
+        bench.workbench.serve({bench.row(1, 1, RowState::Running)});
+        QVERIFY(!banner->isVisible());
+        bench.workbench.serve({bench.row(1, 1, RowState::Skipped)}, false);
+        QVERIFY(banner->isVisible());
+    }
+    Q_EMIT banner->dismissed();
+    QVERIFY(!banner->isVisible());
+    bench.workbench.publish();
+    QVERIFY(!banner->isVisible());
+}
+
+void QueueTest::whatWasCutOffIsLookedForOnEveryLinkThatIsOpen()
+{
+    QueueBench bench;
+    bench.workbench.visited.cut = {"run 7", 0, 1};
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.workbench.shot.devices.clear(); // the cut has left it dead
+    bench.workbench.publish();
+    bench.board().goOn();
+    QCOMPARE(bench.workbench.given<orders::ServeUnits>().at(0).links,
+        (std::vector<std::string>{"sim:can", "socketcan:can1"}));
 }
 
 void QueueTest::whatEndedIsSavedAsATable()

@@ -29,6 +29,29 @@ namespace {
 
 constexpr int boardBesideFrom = 640; ///< units
 
+std::vector<std::string> linksOf(const Snapshot &shot, const Family *family, const std::vector<DeviceId> &chosen)
+{
+    std::vector<std::string> links;
+    for (const DeviceView &device : shot.devices) {
+        const bool wanted = device.family == family && std::ranges::find(chosen, device.id) != chosen.end();
+        if (wanted && std::ranges::find(links, device.link) == links.end())
+            links.push_back(device.link);
+    }
+    return links;
+}
+
+/// On which its units may be, also those that do not answer.
+std::vector<std::string> openLinks(const Snapshot &shot, const Family &family)
+{
+    std::vector<std::string> links;
+    for (const LinkView &link : shot.links) {
+        const bool fits = std::ranges::find(family.links, link.kind) != family.links.end();
+        if (fits && link.state == LinkState::Open && !link.replay)
+            links.push_back(link.address);
+    }
+    return links;
+}
+
 } // namespace
 
 QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<const Family *const> families,
@@ -113,32 +136,37 @@ void QueueBoard::buildFoot()
 
 void QueueBoard::connectAll()
 {
+    const auto tried = [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
+        if (self && !result)
+            self->m_workbench.report(Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
+    };
     connect(m_head, &QueueHead::imageChosen, this, &QueueBoard::openImage);
     connect(m_head, &QueueHead::recipeChosen, this, &QueueBoard::openRecipe);
     connect(m_head, &QueueHead::editWanted, this, &QueueBoard::edit);
     connect(m_banner, &Banner::actionTriggered, this, &QueueBoard::goOn);
-    connect(m_banner, &Banner::dismissed, m_banner, &QWidget::hide);
+    connect(m_banner, &Banner::dismissed, this, [this] {
+        m_dismissed = m_cut.run;
+        follow();
+    });
     connect(m_bar, &QueueBar::startWanted, this, &QueueBoard::start);
     connect(m_bar, &QueueBar::pauseWanted, this, [this](bool on) { m_workbench.send(orders::PauseService{on}); });
     connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_workbench.send(orders::CancelService{}); });
-    connect(m_bar, &QueueBar::retryWanted, this, [this] { m_workbench.send(orders::RetryFailedUnits{}); });
+    connect(
+        m_bar, &QueueBar::retryWanted, this, [this, tried] { m_workbench.send(orders::RetryFailedUnits{}, tried); });
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
     connect(
         &steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_workbench.send(orders::SkipUnit{row}); });
-    connect(&steps(), &UnitSteps::againWanted, this, [this](std::uint32_t row) {
-        m_workbench.send(orders::RetryUnit{row}, [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(
-                    Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
-        });
-    });
+    connect(&steps(), &UnitSteps::againWanted, this,
+        [this, tried](std::uint32_t row) { m_workbench.send(orders::RetryUnit{row}, tried); });
     connect(&model(), &QueueModel::tickedChanged, this, &QueueBoard::follow);
     connect(m_table, &QueueTable::chosenChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
     connect(&m_selection, &Selection::changed, this, &QueueBoard::follow);
     connect(&m_workbench, &Workbench::serviceChanged, this, [this] {
-        if (m_workbench.service().running)
+        if (m_workbench.service().running) {
+            m_cut = {}; // nor is it known what will be, before it has ended
             return follow();
+        }
         if (!m_saved.isEmpty())
             take(m_saved);
         lookForCut();
@@ -215,9 +243,7 @@ void QueueBoard::lookForCut()
     m_workbench.visits().findCut(*m_recipe.matter(), [self = QPointer<QueueBoard>(this)](const Result<CutRun> &cut) {
         if (!self)
             return;
-        const std::string before = std::exchange(self->m_cut, cut ? *cut : CutRun{}).run;
-        if (self->m_cut.run != before)
-            self->m_banner->setVisible(!self->m_cut.run.empty());
+        self->m_cut = cut ? *cut : CutRun{};
         self->follow();
     });
 }
@@ -251,25 +277,13 @@ void QueueBoard::goOn()
         begin(model().ticked(), m_cut.run);
 }
 
-/// Of these units; of none every open one that the family may hang on.
-std::vector<std::string> QueueBoard::linksOf(const std::vector<DeviceId> &chosen) const
-{
-    std::vector<std::string> links;
-    for (const DeviceView &device : m_workbench.snapshot().devices) {
-        const bool wanted = device.family == m_recipe.family()
-            && (chosen.empty() || std::ranges::find(chosen, device.id) != chosen.end());
-        if (wanted && std::ranges::find(links, device.link) == links.end())
-            links.push_back(device.link);
-    }
-    return links;
-}
-
 void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
 {
     m_told.clear();
     m_log->clear();
-    m_banner->hide();
-    std::vector<std::string> links = linksOf(run.empty() ? chosen : std::vector<DeviceId>());
+    const Snapshot &shot = m_workbench.snapshot();
+    std::vector<std::string> links
+        = run.empty() ? linksOf(shot, m_recipe.family(), chosen) : openLinks(shot, *m_recipe.family());
     m_workbench.send(orders::ServeUnits{m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
         [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
             if (self && !result)
@@ -324,8 +338,7 @@ void QueueBoard::follow()
         m_banner->setText(
             tr("The last queue of this recipe was cut off: %1 done, %2 open").arg(m_cut.ended).arg(m_cut.open),
             tr("What has ended stays as it is; ticked units are taken along."));
-    if (!mayGoOn())
-        m_banner->hide();
+    m_banner->setVisible(mayGoOn() && m_cut.run != m_dismissed);
     m_foot->setText(
         view.running ? tr(
             "One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on "

@@ -71,7 +71,6 @@ private:
     void follow();
     void followLog();
     void followUnit();
-    [[nodiscard]] std::vector<std::string> linksOf(const std::vector<DeviceId> &chosen) const;
     [[nodiscard]] const service::QueueRow *shownRow() const;
     [[nodiscard]] QString hindrance() const;
 
@@ -83,6 +82,7 @@ private:
     QString m_recipeFolder;
     QString m_saved; ///< a recipe that was written while units were served; it is opened when they are done
     CutRun m_cut;
+    std::string m_dismissed; ///< a run that nobody wants to go on with
     QueueHead *m_head = nullptr;
     QueueChecks *m_checks = nullptr;
     Banner *m_banner = nullptr;

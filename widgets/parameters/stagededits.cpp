@@ -151,8 +151,10 @@ void StagedEdits::settle(const std::vector<ParameterChange> &sent)
     }
     // A step of what is written now would stage its former value: what is left is all that there is to take back.
     const auto left = m_edits;
+    std::vector<std::pair<ParameterIndex, StagedEdit>> steps(left.begin(), left.end());
+    std::ranges::sort(steps, {}, [](const auto &step) { return step.second.place; });
     m_undo.clear();
-    for (const auto &[index, edit] : left) {
+    for (const auto &[index, edit] : steps) {
         const auto raw = known(index);
         const auto before = raw ? std::optional(fieldText(parameter(index), *raw)) : std::nullopt;
         m_undo.push(new Step(*this, index, before, edit.text, nullptr));
@@ -167,7 +169,8 @@ void StagedEdits::put(ParameterIndex index, const std::optional<QString> &text)
     if (staged != m_edits.end())
         m_edits.erase(staged);
     if (text) {
-        StagedEdit edit{*text, parseValue(parameter(index), *text), included};
+        StagedEdit edit{
+            .text = *text, .value = parseValue(parameter(index), *text), .included = included, .place = ++m_places};
         if (!isSettled(index, edit))
             m_edits.emplace(index, std::move(edit));
     }

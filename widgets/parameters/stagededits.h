@@ -18,11 +18,12 @@ struct StagedEdit {
     ParsedValue value;
     bool included = true;   ///< goes along with the next write
     bool confirmed = false; ///< somebody looked at it once more
+    int place = 0;          ///< grows with each edit: which came after which
 };
 
 /// What a user wants to change in one device: survives snapshots, other selections and failed writes. An edit that says
-/// what the device has anyway is none. Every step can be undone, after a write too (it then stages the old value
-/// again).
+/// what the device has anyway is none. Every step can be undone until settle() says that it was written: the unit's own
+/// history takes that back.
 class StagedEdits : public QObject {
     Q_OBJECT
 public:
@@ -85,6 +86,7 @@ private:
     std::map<ParameterIndex, StagedEdit> m_edits;
     std::optional<ParameterIndex> m_typing;
     StagedEdit m_typed;
+    int m_places = 0;
     QUndoStack m_undo;
 };
 

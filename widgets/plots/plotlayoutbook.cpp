@@ -45,7 +45,15 @@ void PlotLayoutBook::save()
 {
     m_remember.stop();
     if (m_layouts.remembers() && m_board.isTouched())
-        (void)m_layouts.save(PlotLayouts::lastName(), current());
+        m_unsaved = !keep(PlotLayouts::lastName(), current(), !m_unsaved);
+}
+
+bool PlotLayoutBook::keep(const QString &name, const PlotLayout &layout, bool tellFailure)
+{
+    const auto saved = m_layouts.save(name, layout);
+    if (!saved && tellFailure)
+        m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+    return saved.has_value();
 }
 
 void PlotLayoutBook::follow()
@@ -136,8 +144,7 @@ void PlotLayoutBook::fillMenu(QMenu &menu, QWidget &parent)
 {
     const auto saveAs = [this, &parent] {
         askName(parent, tr("Save layout"), {}, [this](const QString &name) {
-            if (const auto saved = m_layouts.save(name.trimmed().remove(QLatin1Char('@')), current()); !saved)
-                m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+            keep(name.trimmed().remove(QLatin1Char('@')), current());
         });
     };
     menu.addAction(tr("Save layout as…"), this, saveAs)->setEnabled(m_layouts.remembers());
@@ -170,7 +177,7 @@ void PlotLayoutBook::addFamilyEntries(QMenu &menu)
             if (trace.device == qt(selected->selector))
                 trace.device = QStringLiteral("*");
         }
-        (void)m_layouts.save(PlotLayouts::familyName(qt(selected->family->key)), layout);
+        keep(PlotLayouts::familyName(qt(selected->family->key)), layout);
     });
     menu.addAction(tr("Begin with the usual for every %1").arg(title), this,
         [this, family = qt(device->family->key)] { m_layouts.remove(PlotLayouts::familyName(family)); });

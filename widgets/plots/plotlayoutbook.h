@@ -39,6 +39,7 @@ Q_SIGNALS:
 
 private:
     void save();
+    bool keep(const QString &name, const PlotLayout &layout, bool tellFailure = true);
     void takeDefaults();
     void addFamilyEntries(QMenu &menu);
     [[nodiscard]] std::vector<PlotBoard::Trace> tracesOf(const PlotLayout &layout, DeviceId standIn) const;
@@ -51,6 +52,7 @@ private:
     DeviceId m_defaultsOf;
     int m_defaultsOfAxis = 0;
     QTimer m_remember;
+    bool m_unsaved = false; ///< said once, not with each change until a disk has room again
 };
 
 } // namespace mb

@@ -74,6 +74,7 @@ ReportEntry entryOf(const service::Visit &visit, const Family *family)
     entry.unit.identity.firmware = visit.to.empty() ? visit.from : visit.to;
     entry.unit.identity.address = visit.number.value_or(qt(visit.device).section(QLatin1Char(':'), -1).toInt());
     entry.wish.unit = visit.unit;
+    entry.wish.visit = visit.id;
     service::QueueRow row;
     row.visit = visit;
     const QString number = visit.number ? QStringLiteral(" #%1").arg(*visit.number) : QString();

@@ -18,6 +18,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// They print what they return, too; that is nobody's business.
+QCanBus &plugins()
+{
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus.*=false"));
+    return *QCanBus::instance();
+}
+
 constexpr qint64 framesInPlugin = 4; // few, so that an urgent frame does not wait behind many
 constexpr Duration retryDelay = 5ms; // of a plugin that refuses a frame: it does not tell when it has room again
 
@@ -81,7 +88,7 @@ Result<void> QtCanLink::doOpen()
 {
     const QString path = QString::fromStdString(address().path);
     const QString plugin = path.section(QLatin1Char(':'), 0, 0);
-    QCanBus &known = *QCanBus::instance();
+    QCanBus &known = plugins();
     if (!known.plugins().contains(plugin)) {
         const QString names = known.plugins().join(QStringLiteral(", "));
         return fail(Fault::LinkLost, say("there is no CAN plugin %1", plugin.toStdString()),
@@ -196,12 +203,11 @@ void QtCanLink::end(const QString &reason)
 
 std::vector<QtCanAdapter> qtCanAdapters()
 {
-    QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus.*=false")); // plugins also print what they return
     std::vector<QtCanAdapter> adapters;
-    for (const QString &plugin : QCanBus::instance()->plugins()) {
+    for (const QString &plugin : plugins().plugins()) {
         const std::string name = plugin.toStdString();
         QString cause;
-        const auto devices = QCanBus::instance()->availableDevices(plugin, &cause);
+        const auto devices = plugins().availableDevices(plugin, &cause);
         for (const QCanBusDeviceInfo &device : devices) {
             QtCanAdapter adapter{name + ':' + device.name().toStdString(),
                 Message::verbatim(device.description().toStdString()), {}, {}};
