@@ -49,6 +49,13 @@ public:
         , m_line(link)
     {
     }
+    /// As another master drives it.
+    void turn()
+    {
+        Liveness now = liveness();
+        now.moving = true;
+        setLiveness(now);
+    }
     bool seen = false;
 
 private:
@@ -172,6 +179,32 @@ TEST_F(SessionLines, AClosedLinkStopsItsOwnMotorsOnlyAndOwesWhatWasNotSeen)
     EXPECT_TRUE(devices.stream(other).isRunning());
     clock.advance(100ms);
     EXPECT_EQ(sent[1], Bytes(5, driveByte));
+}
+
+TEST_F(SessionLines, AClosedLinkLeavesAloneWhatThisProgramHasNotMovedAndOwesItNothing)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    (void)devices.stream(motor); // as every picture of the window makes one
+    motor.turn();
+    bool sent = false;
+    const auto tap = links[0]->traffic().add([&sent](const Traffic &) { sent = true; });
+    close(*links[0]);
+    EXPECT_FALSE(sent) << "another master drives it";
+    EXPECT_TRUE(stops.owed().empty());
+    EXPECT_TRUE(guard.book.empty());
+}
+
+TEST_F(SessionLines, AStopThatWasGivenUpIsNotToldAnewByAClosedLink)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    run(motor);
+    const Instant told = clock.now();
+    lose(0);
+    clock.advance(11min);
+    ASSERT_EQ(motor.stopping().state(), StopState::Unconfirmed);
+    close(*links[0]);
+    ASSERT_EQ(guard.book.size(), 1U);
+    EXPECT_EQ(guard.book.front().since, told) << "it is shown, and not sent for ten minutes more";
 }
 
 TEST_F(SessionLines, WhatIsOwedIsTheFirstOnTheLineWhenItIsOpenedAgainAndItsDeviceTakesItOver)
