@@ -103,11 +103,12 @@ protected:
         EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         return opened.value_or(nullptr);
     }
-    WiredMotor &motorOn(Link &link, int number = 3)
+    WiredMotor &motorOn(Link &link, int number = 3, DeviceState state = DeviceState::Online)
     {
         Identity identity;
         identity.family = "wired";
         identity.address = number;
+        identity.state = state;
         return static_cast<WiredMotor &>(devices.adopt(link, wiredFamily, identity, {}));
     }
     /// As a guardian of an earlier program writes it down.
@@ -238,6 +239,25 @@ TEST_F(SessionLines, WhatIsTakenOverLateStillReachesADeviceThatWasFoundBefore)
     EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte}));
     EXPECT_TRUE(found.stopping().isForMotion());
     EXPECT_TRUE(stops.owed().empty());
+}
+
+TEST_F(SessionLines, WhatIsOwedToADeviceThatMayNotBeToldReachesItOnceItMay)
+{
+    guard.book = {owedTo(motorOn(*links[0]))};
+    close(*links[0]);
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0], 3, DeviceState::Bootloader);
+    clock.advance(2s);
+    EXPECT_EQ(heard(0, 1), Bytes{scriptByte});
+    EXPECT_EQ(stops.owed().size(), 1U);
+    (void)motorOn(*links[0]); // it has its power now
+    clock.advance(1s);
+    EXPECT_TRUE(found.stopping().isForMotion());
+    EXPECT_TRUE(stops.owed().empty()) << "its device shows it";
+    EXPECT_EQ(heard(0, 1), Bytes{stopByte});
+    found.seen = true;
+    clock.advance(1s);
+    EXPECT_TRUE(guard.book.empty());
 }
 
 TEST_F(SessionLines, WhatIsTakenOverLateIsNotSentIntoAMotionOfThisProgramWhoseOwnStopSettlesIt)
