@@ -22,8 +22,8 @@ struct Debt {
 [[nodiscard]] std::string_view unitOf(std::string_view name);
 
 /// What is owed on one line, kept where every guardian and every program of this user finds it, and the lock that says whose
-/// business the line is. Whoever has the lock pays: a program as long as it has the link open, else a guardian while it tries. A
-/// lock goes with its process, however that ends.
+/// business the line is. Whoever has the lock pays: a program as long as it has the link open and lives, else a guardian while it
+/// tries. A lock goes with its process, however that ends.
 class DebtBook {
 public:
     /// `line` is the identity of a link; the folder is made when it is needed.

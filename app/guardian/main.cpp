@@ -109,7 +109,7 @@ void waitFor(const Watchman &watchman, const Line &line, std::optional<Time> due
         ::usleep(1000); // a dead line is always ready
 }
 
-/// Tries what is owed whenever the line is there and is nobody else's business.
+/// Tries what is owed whenever the line is there and is nobody else's business. A program that fell silent has none.
 class Paymaster {
 public:
     Paymaster(Watchman &watchman, Line &line, DebtBook &book)
@@ -136,7 +136,7 @@ public:
         }
         if (!m_book.exists())
             m_watchman.tellDebts(); // into a new book, where there can be one
-        if (!m_isKept || m_book.claim() != DebtBook::Claim::Others) {
+        if (!m_isKept || m_watchman.hasFallenSilent() || m_book.claim() != DebtBook::Claim::Others) {
             if (!m_line.reopen()) {
                 m_book.disown(); // a program that opens it first finds nobody in its way
                 return;

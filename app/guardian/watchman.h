@@ -46,6 +46,8 @@ public:
     [[nodiscard]] bool isOwing() const { return !m_owed.empty(); }
     /// The last stop that failed could not even be sent.
     [[nodiscard]] bool isCut() const { return m_isCut; }
+    /// The program has not ended, and did not say that it lives when it had to: it carries out nothing, whatever it holds.
+    [[nodiscard]] bool hasFallenSilent() const { return m_silent; }
     /// Nothing is being sent.
     [[nodiscard]] bool isIdle() const { return m_runner.isIdle(); }
     /// The line is there, as far as is known: every stop that is owed is tried now.
@@ -75,6 +77,7 @@ private:
     std::map<std::uint32_t, Owed> m_owed; ///< also while they are tried again
     bool m_isCut = false;
     Time m_heardAt{};
+    bool m_silent = false;
     bool m_hungUp = false;
 };
 

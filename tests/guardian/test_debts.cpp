@@ -351,9 +351,17 @@ protected:
     /// The cable comes out, then the program dies.
     void cutAndKill()
     {
+        cut();
+        ::close(process.socket);
+        awaitDebt();
+    }
+    void cut()
+    {
         terminal.reset();
         std::filesystem::remove(name);
-        ::close(process.socket);
+    }
+    void awaitDebt() const
+    {
         const auto end = SteadyClock::now() + patience;
         while (!book.exists() && SteadyClock::now() < end)
             ::usleep(2000);
@@ -406,6 +414,21 @@ TEST_F(CutLine, IsTheBusinessOfAProgramThatOpensItAndTheGuardiansAgainIfThatDies
         EXPECT_EQ(terminal->hear(300ms), "") << "nobody but the program talks there";
     }
     EXPECT_EQ(terminal->hear(patience), "STOP");
+}
+
+TEST_F(CutLine, OfAProgramThatIsFrozenIsTheBusinessOfItsGuardianWhoeverHasTheLock)
+{
+    DebtBook ofProgram(folder.path("run"), "serial:" + name);
+    ASSERT_TRUE(ofProgram.own());
+    cut();
+    awaitDebt(); // it is silent, and does not hang up
+    terminal = std::make_unique<Terminal>(name);
+    ASSERT_EQ(terminal->hear(patience), "STOP");
+    terminal->answer();
+    const auto end = SteadyClock::now() + patience;
+    while (book.exists() && SteadyClock::now() < end)
+        ::usleep(2000);
+    EXPECT_FALSE(book.exists()) << "it was answered";
 }
 
 TEST_F(CutLine, IsNobodysBusinessBetweenTwoTriesOfItsGuardian)

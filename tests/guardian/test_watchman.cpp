@@ -133,6 +133,24 @@ TEST_F(Watching, AProgramThatComesBackIsNotWatchedUntilItAsks)
     EXPECT_EQ(port.texts(), "aaaa");
 }
 
+TEST_F(Watching, AProgramThatFellSilentPaysNothingUntilItIsHeardAgainOrEnds)
+{
+    hear(Kind::Watch, 4);
+    run(490ms);
+    EXPECT_FALSE(watchman.hasFallenSilent());
+    run(20ms);
+    EXPECT_TRUE(watchman.hasFallenSilent());
+    hear(Kind::Forget, 4);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "it has thawed";
+    run(2s);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "one that drives nothing has nothing to say";
+    hear(Kind::Watch, 5);
+    run(600ms);
+    EXPECT_TRUE(watchman.hasFallenSilent());
+    watchman.hangUp(port.now);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "whoever has its line now is another one";
+}
+
 TEST_F(Watching, ItsOwnDelayIsNoSilenceOfTheProgram)
 {
     hear(Kind::Watch, 4);
