@@ -130,12 +130,13 @@ public:
         if (!m_watchman.isOwing() || present < next())
             return;
         m_triedAt = present;
-        if (m_isKept && m_book.isSettled()) {
-            m_watchman.handOver();
+        dropSettled();
+        if (!m_watchman.isOwing())
             return;
-        }
-        if (!m_book.exists())
+        if (!m_book.exists()) {
+            m_isKept = true;
             m_watchman.tellDebts(); // into a new book, where there can be one
+        }
         if (!m_isKept || m_watchman.hasFallenSilent() || m_book.claim() != DebtBook::Claim::Others) {
             if (!m_line.reopen()) {
                 m_book.disown(); // a program that opens it first finds nobody in its way
@@ -152,17 +153,29 @@ public:
             m_book.remove(owed.name);
             return;
         }
-        m_isKept = m_book.add({owed.name, owed.script,
+        const bool isWritten = m_book.add({owed.name, owed.script,
             duration_cast<seconds>(system_clock::now().time_since_epoch() - (now() - owed.since)).count()});
+        m_isKept = m_isKept && isWritten;
     }
 
 private:
+    /// Whoever has seen a motor stand strikes it out. A book that cannot be read settles nothing.
+    void dropSettled()
+    {
+        const std::vector<Debt> booked = m_book.read();
+        if (!m_isKept || (booked.empty() && !m_book.isSettled()))
+            return;
+        m_watchman.settle([&booked](const Watchman::Owed &owed) {
+            return std::ranges::none_of(
+                booked, [&owed](const Debt &debt) { return unitOf(debt.name) == unitOf(owed.name); });
+        });
+    }
     [[nodiscard]] Time next() const { return m_triedAt + (m_watchman.isCut() ? tryEvery : againEvery); }
 
     Watchman &m_watchman;
     Line &m_line;
     DebtBook &m_book;
-    bool m_isKept = true; ///< where others find it
+    bool m_isKept = true; ///< all of it, where others find it
     Time m_triedAt{};
 };
 

@@ -112,10 +112,10 @@ void Watchman::tellDebts() const
         m_voice.debt(owed, true);
 }
 
-void Watchman::handOver()
+void Watchman::settle(const std::function<bool(const Owed &)> &isSettled)
 {
     if (m_runner.isIdle())
-        m_owed.clear();
+        std::erase_if(m_owed, [&isSettled](const auto &entry) { return isSettled(entry.second); });
 }
 
 std::optional<Time> Watchman::due() const

@@ -54,8 +54,8 @@ public:
     void pay(Time now);
     /// Says again what is owed.
     void tellDebts() const;
-    /// Another process has taken the debts over, and settles them.
-    void handOver();
+    /// Another process has taken the line over, and has settled these.
+    void settle(const std::function<bool(const Owed &)> &isSettled);
 
 private:
     struct Watched {

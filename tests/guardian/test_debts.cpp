@@ -475,6 +475,28 @@ TEST_F(CutLine, WhoseBookIsTakenAwayIsNoLineThatWasSettled)
     EXPECT_TRUE(isGone());
 }
 
+TEST_F(CutLine, OfTwoDebtsGetsTheOneThatNobodyHasSettled)
+{
+    guardian::Script other = debt("other").script;
+    other.front().bytes = {'H', 'A', 'L', 'T'};
+    tell({Order::Kind::Watch, 2, "other", other});
+    std::array<std::uint8_t, 64> standing{};
+    EXPECT_GT(::recv(process.socket, standing.data(), standing.size(), 0), 0);
+    DebtBook ofProgram(folder.path("run"), "serial:" + name);
+    ASSERT_TRUE(ofProgram.own());
+    cutAndKill();
+    const auto end = SteadyClock::now() + patience;
+    while (book.read().size() < 2 && SteadyClock::now() < end)
+        ::usleep(2000);
+    book.remove("motor"); // seen to stand by the program that has the line now
+    terminal = std::make_unique<Terminal>(name);
+    ofProgram.disown();
+    EXPECT_EQ(terminal->hear(patience), "HALT") << "another master may drive it by now";
+    terminal->answer();
+    EXPECT_TRUE(isGone());
+    EXPECT_FALSE(book.exists());
+}
+
 TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)
 {
     cutAndKill();
