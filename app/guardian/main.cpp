@@ -209,6 +209,7 @@ int main(int argc, char **argv)
         if (!hungUp && !listen(watchman)) {
             hungUp = true;
             watchman.hangUp(now());
+            line.share();
         }
         watchman.proceed(now());
         paymaster.proceed(now());

@@ -15,6 +15,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -495,6 +496,18 @@ TEST_F(CutLine, OfTwoDebtsGetsTheOneThatNobodyHasSettled)
     terminal->answer();
     EXPECT_TRUE(isGone());
     EXPECT_FALSE(book.exists());
+}
+
+TEST_F(CutLine, OfAProgramThatDiedIsFreeForTheNextOneWhileItsGuardianOwes)
+{
+    const int line = terminal->open();
+    ASSERT_EQ(::ioctl(line, TIOCEXCL), 0); // as QSerialPort has it, which does not live to take it back
+    ::close(process.socket);
+    awaitDebt();
+    int isExclusive = -1;
+    EXPECT_EQ(::ioctl(line, TIOCGEXCL, &isExclusive), 0);
+    EXPECT_EQ(isExclusive, 0) << "it would be told that another program uses the port";
+    ::close(line);
 }
 
 TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)
