@@ -3,7 +3,7 @@
 
 #include "app/guardian/message.h"
 
-#include <cstdint>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,8 +15,11 @@ namespace mb::guardian {
 struct Debt {
     std::string name; ///< of the device
     Script script;
-    std::int64_t since = 0; ///< Unix seconds
+    std::chrono::milliseconds since{}; ///< runTime() then; in the future: of an earlier run of the machine
 };
+
+/// Since this run of the machine began, asleep or not: of every process the same, and nobody sets it.
+[[nodiscard]] std::chrono::milliseconds runTime();
 
 /// "abstractdc:3" of "socketcan:can0/abstractdc:3": a line may have another name by now.
 [[nodiscard]] std::string_view unitOf(std::string_view name);

@@ -148,13 +148,12 @@ public:
     }
     void note(const Watchman::Owed &owed, bool isOwed)
     {
-        using namespace std::chrono;
         if (!isOwed) {
             m_book.remove(owed.name);
             return;
         }
-        const bool isWritten = m_book.add({owed.name, owed.script,
-            duration_cast<seconds>(system_clock::now().time_since_epoch() - (now() - owed.since)).count()});
+        const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(now() - owed.since);
+        const bool isWritten = m_book.add({owed.name, owed.script, runTime() - age});
         m_isKept = m_isKept && isWritten;
     }
 

@@ -5,8 +5,6 @@
 #include "support/fakeguard.h"
 #include "support/mutedevice.h"
 #include "support/pseudoterminal.h"
-#include "transport/backends/virtualserial.h"
-#include "transport/backends/virtualspi.h"
 #include "transport/seriallink.h"
 
 #include <QDir>
@@ -496,43 +494,6 @@ TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
     EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
     devices.forget(*links[0]);
     EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
-}
-
-// What a script is on each kind of link
-
-TEST(StopScripts, GoOutAsFramesAsBytesOrAsTransfersAndInTheirOrder)
-{
-    VirtualClock clock;
-    const StopScript both{
-        {{extendedFrame(0x100, {0}), {1, 2}, {}, {}, 5ms, 3}, {extendedFrame(0x200, {0}), {3}, {}, {}, 5ms, 1}}};
-    EXPECT_TRUE(StopScript{}.isEmpty());
-    EXPECT_FALSE(both.isEmpty());
-
-    VirtualSerialLine wire(clock, VirtualSerialLine::Wiring::FullDuplex, 1);
-    VirtualSerialLink serial(*LinkAddress::parse("sim:serial"), wire);
-    ASSERT_TRUE(serial.open());
-    Bytes bytes;
-    const auto sentBytes = serial.traffic().add(
-        [&bytes](const Traffic &traffic) { bytes.insert(bytes.end(), traffic.bytes.begin(), traffic.bytes.end()); });
-    sendScript(serial, both);
-    EXPECT_EQ(bytes, (Bytes{1, 2, 3})) << "each once";
-
-    struct Board final : SpiSlave {
-        void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>) override
-        {
-            heard.emplace_back(mosi.begin(), mosi.end());
-        }
-        [[nodiscard]] bool isReady() const override { return false; }
-        void reset() override { }
-        std::vector<Bytes> heard;
-    } board;
-    VirtualSpiSlaveLink slave(*LinkAddress::parse("sim:spi"));
-    VirtualSpiLink spi(*LinkAddress::parse("sim:spi"), clock, slave, 500'000, 1);
-    slave.attach(&board);
-    ASSERT_TRUE(spi.open());
-    sendScript(spi, {{both.steps[0]}});
-    clock.advance(10ms);
-    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1, 2}}));
 }
 
 } // namespace
