@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace mb::guardian {
@@ -88,6 +90,14 @@ std::string_view unitOf(std::string_view name)
     return name.substr(name.rfind('/') + 1);
 }
 
+std::chrono::milliseconds runTime()
+{
+    timespec time{};
+    ::clock_gettime(CLOCK_BOOTTIME, &time);
+    return std::chrono::seconds(time.tv_sec)
+        + std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::nanoseconds(time.tv_nsec));
+}
+
 std::string debtFolder()
 {
     if (const char *runtime = std::getenv("XDG_RUNTIME_DIR"); runtime && isOurRuntimeFolder(runtime))
@@ -159,7 +169,7 @@ std::vector<Debt> DebtBook::read() const
     }
     ::close(file);
     std::span<const std::uint8_t> rest(bytes);
-    std::int64_t since = 0;
+    std::chrono::milliseconds since{};
     std::uint32_t size = 0;
     while (take(rest, since) && take(rest, size) && size <= rest.size()) {
         const auto order = decodeOrder(rest.first(size));

@@ -3,7 +3,7 @@
 
 #include "app/guardian/message.h"
 
-#include <cstdint>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,15 +15,18 @@ namespace mb::guardian {
 struct Debt {
     std::string name; ///< of the device
     Script script;
-    std::int64_t since = 0; ///< Unix seconds
+    std::chrono::milliseconds since{}; ///< runTime() then; in the future: of an earlier run of the machine
 };
+
+/// Since this run of the machine began, asleep or not: of every process the same, and nobody sets it.
+[[nodiscard]] std::chrono::milliseconds runTime();
 
 /// "abstractdc:3" of "socketcan:can0/abstractdc:3": a line may have another name by now.
 [[nodiscard]] std::string_view unitOf(std::string_view name);
 
 /// What is owed on one line, kept where every guardian and every program of this user finds it, and the lock that says whose
-/// business the line is. Whoever has the lock pays: a program as long as it has the link open, else a guardian while it tries. A
-/// lock goes with its process, however that ends.
+/// business the line is. Whoever has the lock pays: a program as long as it has the link open and lives, else a guardian while it
+/// tries. A lock goes with its process, however that ends.
 class DebtBook {
 public:
     /// `line` is the identity of a link; the folder is made when it is needed.

@@ -174,6 +174,11 @@ bool Line::reopen()
     return true;
 }
 
+void Line::share() const
+{
+    (void)::ioctl(m_descriptor, TIOCNXCL);
+}
+
 void Line::closeEar()
 {
     if (m_ear >= 0)

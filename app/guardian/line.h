@@ -27,6 +27,8 @@ public:
     [[nodiscard]] int descriptor() const { return m_descriptor; }
     /// False while it is not there. Opening an open one does nothing.
     bool reopen();
+    /// The program has ended: a terminal that it had for itself would stay closed to everybody else while it is open here.
+    void share() const;
 
     Sent send(std::span<const std::uint8_t> bytes) override;
     Bytes read() override;

@@ -109,7 +109,7 @@ void waitFor(const Watchman &watchman, const Line &line, std::optional<Time> due
         ::usleep(1000); // a dead line is always ready
 }
 
-/// Tries what is owed whenever the line is there and is nobody else's business.
+/// Tries what is owed whenever the line is there and is nobody else's business. A program that fell silent has none.
 class Paymaster {
 public:
     Paymaster(Watchman &watchman, Line &line, DebtBook &book)
@@ -130,13 +130,14 @@ public:
         if (!m_watchman.isOwing() || present < next())
             return;
         m_triedAt = present;
-        if (m_isKept && m_book.isSettled()) {
-            m_watchman.handOver();
+        dropSettled();
+        if (!m_watchman.isOwing())
             return;
-        }
-        if (!m_book.exists())
+        if (!m_book.exists()) {
+            m_isKept = true;
             m_watchman.tellDebts(); // into a new book, where there can be one
-        if (!m_isKept || m_book.claim() != DebtBook::Claim::Others) {
+        }
+        if (!m_isKept || m_watchman.hasFallenSilent() || m_book.claim() != DebtBook::Claim::Others) {
             if (!m_line.reopen()) {
                 m_book.disown(); // a program that opens it first finds nobody in its way
                 return;
@@ -147,22 +148,33 @@ public:
     }
     void note(const Watchman::Owed &owed, bool isOwed)
     {
-        using namespace std::chrono;
         if (!isOwed) {
             m_book.remove(owed.name);
             return;
         }
-        m_isKept = m_book.add({owed.name, owed.script,
-            duration_cast<seconds>(system_clock::now().time_since_epoch() - (now() - owed.since)).count()});
+        const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(now() - owed.since);
+        const bool isWritten = m_book.add({owed.name, owed.script, runTime() - age});
+        m_isKept = m_isKept && isWritten;
     }
 
 private:
+    /// Whoever has seen a motor stand strikes it out. A book that cannot be read settles nothing.
+    void dropSettled()
+    {
+        const std::vector<Debt> booked = m_book.read();
+        if (!m_isKept || (booked.empty() && !m_book.isSettled()))
+            return;
+        m_watchman.settle([&booked](const Watchman::Owed &owed) {
+            return std::ranges::none_of(
+                booked, [&owed](const Debt &debt) { return unitOf(debt.name) == unitOf(owed.name); });
+        });
+    }
     [[nodiscard]] Time next() const { return m_triedAt + (m_watchman.isCut() ? tryEvery : againEvery); }
 
     Watchman &m_watchman;
     Line &m_line;
     DebtBook &m_book;
-    bool m_isKept = true; ///< where others find it
+    bool m_isKept = true; ///< all of it, where others find it
     Time m_triedAt{};
 };
 
@@ -196,6 +208,7 @@ int main(int argc, char **argv)
         if (!hungUp && !listen(watchman)) {
             hungUp = true;
             watchman.hangUp(now());
+            line.share();
         }
         watchman.proceed(now());
         paymaster.proceed(now());

@@ -16,6 +16,7 @@ Watchman::Watchman(Port &port, Voice voice)
 void Watchman::hear(std::span<const std::uint8_t> packet, Time now)
 {
     m_heardAt = now;
+    m_silent = false;
     if (const auto order = decodeOrder(packet))
         obey(*order, now);
     else
@@ -48,13 +49,16 @@ void Watchman::obey(const Order &order, Time now)
 void Watchman::hangUp(Time now)
 {
     m_hungUp = true;
+    m_silent = false;
     stopAll("the program that drove it ended", now);
 }
 
 void Watchman::proceed(Time now)
 {
-    if (!m_watched.empty() && now - m_heardAt >= silenceLimit)
+    if (!m_watched.empty() && now - m_heardAt >= silenceLimit) {
+        m_silent = true;
         stopAll("the program that drove it fell silent", now);
+    }
     for (const Runner::Outcome &outcome : m_runner.proceed(now))
         ended(outcome, now);
     dropOldDebts(now);
@@ -108,10 +112,10 @@ void Watchman::tellDebts() const
         m_voice.debt(owed, true);
 }
 
-void Watchman::handOver()
+void Watchman::settle(const std::function<bool(const Owed &)> &isSettled)
 {
     if (m_runner.isIdle())
-        m_owed.clear();
+        std::erase_if(m_owed, [&isSettled](const auto &entry) { return isSettled(entry.second); });
 }
 
 std::optional<Time> Watchman::due() const

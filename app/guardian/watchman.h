@@ -46,14 +46,16 @@ public:
     [[nodiscard]] bool isOwing() const { return !m_owed.empty(); }
     /// The last stop that failed could not even be sent.
     [[nodiscard]] bool isCut() const { return m_isCut; }
+    /// The program has not ended, and did not say that it lives when it had to: it carries out nothing, whatever it holds.
+    [[nodiscard]] bool hasFallenSilent() const { return m_silent; }
     /// Nothing is being sent.
     [[nodiscard]] bool isIdle() const { return m_runner.isIdle(); }
     /// The line is there, as far as is known: every stop that is owed is tried now.
     void pay(Time now);
     /// Says again what is owed.
     void tellDebts() const;
-    /// Another process has taken the debts over, and settles them.
-    void handOver();
+    /// Another process has taken the line over, and has settled these.
+    void settle(const std::function<bool(const Owed &)> &isSettled);
 
 private:
     struct Watched {
@@ -75,6 +77,7 @@ private:
     std::map<std::uint32_t, Owed> m_owed; ///< also while they are tried again
     bool m_isCut = false;
     Time m_heardAt{};
+    bool m_silent = false;
     bool m_hungUp = false;
 };
 

@@ -55,46 +55,56 @@ bool OwedStops::isFollowed(const OwedStop &owed) const
 
 void OwedStops::pay(Link &link)
 {
-    std::erase(m_withOthers, &link);
-    const bool isOurs = !m_guard || m_guard->own(link);
-    if (!isOurs)
-        m_withOthers.push_back(&link);
+    std::erase_if(m_lines, [&link](const Line &line) { return line.link == &link; });
+    m_lines.push_back({&link});
     look();
-    if (isOurs)
-        sendDue(link);
 }
 
-void OwedStops::sendDue(Link &link) const
-{
-    for (const OwedStop &owed : m_owed) {
-        if (owed.line == link.line() && m_clock.now() - owed.since < DeviceStop::debtLimit && !isFollowed(owed))
-            sendScript(link, owed.script);
-    }
-}
-
-/// Guardians pay where no program has the line open, and one may have been in the middle of a try when a link was opened.
+/// Once a second: a guardian may have been in the middle of a try when a link was opened, and what it writes down later it leaves to
+/// whoever has the line.
 void OwedStops::look()
 {
-    const auto theirs
-        = std::partition(m_withOthers.begin(), m_withOthers.end(), [this](Link *link) { return !m_guard->own(*link); });
-    const std::vector<Link *> ours(theirs, m_withOthers.end());
-    m_withOthers.erase(theirs, m_withOthers.end());
+    for (Line &line : m_lines)
+        line.isOurs = line.isOurs || !m_guard || m_guard->own(*line.link);
+    const std::vector<OwedStop> before = m_owed;
+    read();
+    if (!m_owed.empty() || !m_lines.empty())
+        m_look.startIn(lookPeriod, [this] { look(); });
+    sendDue();
+    for (Device *device : m_devices.all())
+        passTo(*device);
+    if (!std::ranges::equal(
+            before, m_owed, [](const OwedStop &a, const OwedStop &b) { return isOf(a, b.line, b.device); }))
+        m_devices.changed().notify();
+}
+
+void OwedStops::read()
+{
     const std::vector<OwedStop> booked = m_guard ? m_guard->owed(m_clock.now()) : std::vector<OwedStop>();
     std::erase_if(m_unbooked, [&booked](const OwedStop &mine) {
         return std::ranges::any_of(booked, [&mine](const OwedStop &one) { return isOf(mine, one.line, one.device); });
     });
-    const auto before = std::exchange(m_owed, m_unbooked);
+    m_owed = m_unbooked;
     m_owed.insert(m_owed.end(), booked.begin(), booked.end());
-    if (!m_owed.empty() || !m_withOthers.empty())
-        m_look.startIn(lookPeriod, [this] { look(); });
-    for (Link *const link : ours)
-        sendDue(*link);
-    if (std::ranges::equal(
-            before, m_owed, [](const OwedStop &a, const OwedStop &b) { return isOf(a, b.line, b.device); }))
-        return;
-    for (Device *device : m_devices.all())
-        passTo(*device);
-    m_devices.changed().notify();
+}
+
+/// Once an opening; again only what was told anew.
+void OwedStops::sendDue()
+{
+    std::vector<std::pair<Link *, StopScript>> due; // sending may lose a link, which leaves its line
+    for (const OwedStop &owed : m_owed) {
+        const auto line = std::ranges::find_if(
+            m_lines, [&owed](const Line &one) { return one.isOurs && one.link->line() == owed.line; });
+        if (line == m_lines.end() || m_clock.now() - owed.since >= DeviceStop::debtLimit || isFollowed(owed)
+            || std::ranges::any_of(line->sent, [&owed](const OwedStop &one) {
+                   return isOf(one, owed.line, owed.device) && owed.since - one.since < lookPeriod;
+               }))
+            continue;
+        line->sent.push_back(owed);
+        due.emplace_back(line->link, owed.script);
+    }
+    for (const auto &[link, script] : due)
+        sendScript(*link, script);
 }
 
 void OwedStops::add(Device &device)
@@ -131,7 +141,7 @@ void OwedStops::settle(const std::string &line, const std::string &device)
 
 void OwedStops::leave(const std::string &line)
 {
-    std::erase_if(m_withOthers, [&line](const Link *link) { return link->line() == line; });
+    std::erase_if(m_lines, [&line](const Line &one) { return one.link->line() == line; });
     if (m_guard)
         m_guard->leave(line);
 }

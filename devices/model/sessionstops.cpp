@@ -39,7 +39,7 @@ void SessionStops::beforeClose(const Link &link)
     for (const DeviceBook::Entry &entry : m_devices.entries()) {
         if (&entry.device->link() != &link)
             continue;
-        if (entry.stream)
+        if (entry.isStreaming())
             entry.stream->stop();
         m_owed.add(*entry.device);
     }

@@ -19,7 +19,7 @@ public:
     /// not; by the program only what it has moved. Each is followed up (Device::stopping), also over a link that is lost: that is
     /// opened again as soon as it can be, and its first frames are the stops. Waits for nothing.
     void stopAll(StopCause cause);
-    /// Stops what was driven on a link that is about to be closed; what is not seen to stand by then is owed.
+    /// Stops what this program drives on a link that is about to be closed; what was told and is not seen to stand by then is owed.
     void beforeClose(const Link &link);
     /// Its devices are gone: what is owed on this line is the guardians' again.
     void leave(const std::string &line) { m_owed.leave(line); }

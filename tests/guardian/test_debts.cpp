@@ -3,7 +3,7 @@
 // back. Prints how long that took; docs/names.md#numbers allows 100 ms.
 #include "app/guardian/client/guardianprocess.h"
 #include "app/guardian/debts.h"
-#include "place/place.h"
+#include "folder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <termios.h>
@@ -27,31 +28,14 @@ using namespace std::chrono_literals;
 using guardian::Debt;
 using guardian::DebtBook;
 using guardian::Order;
+using guardian::test::Folder;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr auto patience = 30s;
 
-/// A folder of its own, gone afterwards.
-class Folder {
-public:
-    Folder()
-    {
-        std::string pattern = testing::TempDir() + "/debtsXXXXXX";
-        EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
-        m_path = pattern;
-    }
-    Folder(const Folder &) = delete;
-    Folder &operator=(const Folder &) = delete;
-    ~Folder() { std::filesystem::remove_all(m_path); }
-    [[nodiscard]] std::string path(const std::string &name = {}) const { return m_path + "/" + name; }
-
-private:
-    std::string m_path;
-};
-
 Debt debt(const std::string &name)
 {
-    return {name, {{{'S', 'T', 'O', 'P'}, {'o', 'k'}, {0xFF, 0xFF}, 20ms, 3}}, 1234};
+    return {name, {{{'S', 'T', 'O', 'P'}, {'o', 'k'}, {0xFF, 0xFF}, 20ms, 3}}, 1234ms};
 }
 
 TEST(DebtBook, KeepsWhatIsOwedForEveryProcessOfTheUser)
@@ -65,7 +49,7 @@ TEST(DebtBook, KeepsWhatIsOwedForEveryProcessOfTheUser)
     const DebtBook other(folder.path("run"), "/devices/usb1/1-2");
     ASSERT_EQ(other.read().size(), 2U);
     EXPECT_EQ(other.read()[0].script, debt("a").script);
-    EXPECT_EQ(other.read()[0].since, 1234);
+    EXPECT_EQ(other.read()[0].since, 1234ms);
     EXPECT_TRUE(DebtBook(folder.path("run"), "/devices/usb1/1-3").read().empty()) << "another line";
     book.remove("a");
     book.remove("b");
@@ -189,83 +173,6 @@ TEST(DebtBook, ABrokenFileIsNoDebt)
     }
 }
 
-// Places
-
-TEST(Place, IsThatOfTheHardwareWhateverItIsCalledToday)
-{
-    const Folder folder;
-    const std::string usb = folder.path("sys/devices/usb1/1-2");
-    std::filesystem::create_directories(usb + "/1-2:1.0/ttyUSB3");
-    std::filesystem::create_directories(folder.path("sys/class/tty/ttyUSB3"));
-    std::filesystem::create_directories(folder.path("dev"));
-    std::ofstream(usb + "/idVendor") << "0403\n";
-    std::ofstream(usb + "/serial") << "A10K\n";
-    std::ofstream(folder.path("dev/ttyUSB3")) << "";
-    std::filesystem::create_symlink(usb + "/1-2:1.0/ttyUSB3", folder.path("sys/class/tty/ttyUSB3/device"));
-    const std::string root = folder.path();
-    const std::string place = placeOf(PlaceKind::SerialPort, "/dev/ttyUSB3", root);
-    EXPECT_EQ(place, "/sys/devices/usb1/1-2/1-2:1.0#A10K");
-    EXPECT_EQ(nameAt(PlaceKind::SerialPort, place, root), "/dev/ttyUSB3");
-    EXPECT_EQ(nameAt(PlaceKind::SerialPort, "/sys/devices/usb1/1-2/1-2:1.0#OTHER", root), "")
-        << "another adapter there";
-    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "/dev/ttyUSB4", root), "");
-}
-
-TEST(Place, TellsTheChannelsOfOneAdapterApart)
-{
-    const Folder folder;
-    for (const char *channel : {"0", "1"}) {
-        const std::string row = folder.path("sys/class/net/can") + channel;
-        std::filesystem::create_directories(row);
-        std::filesystem::create_directories(folder.path("sys/devices/pci0/0000:02"));
-        std::filesystem::create_symlink(folder.path("sys/devices/pci0/0000:02"), row + "/device");
-        std::ofstream(row + "/dev_port") << channel << '\n';
-    }
-    const std::string root = folder.path();
-    EXPECT_NE(placeOf(PlaceKind::CanInterface, "can0", root), placeOf(PlaceKind::CanInterface, "can1", root));
-    EXPECT_EQ(nameAt(PlaceKind::CanInterface, placeOf(PlaceKind::CanInterface, "can1", root), root), "can1");
-}
-
-TEST(Place, TellsThePortsOfOneUsbInterfaceApart)
-{
-    const Folder folder;
-    const std::string interface = folder.path("sys/devices/usb1/1-1/1-1:1.0");
-    std::filesystem::create_directories(folder.path("dev"));
-    for (const std::string number : {"0", "1"}) {
-        const std::string name = "ttyUSB" + number;
-        std::filesystem::create_directories(interface + '/' + name);
-        std::filesystem::create_directories(folder.path("sys/class/tty/") + name);
-        std::ofstream(folder.path("dev/") + name) << "";
-        std::ofstream(interface + '/' + name + "/port_number") << number << '\n';
-        std::filesystem::create_symlink(interface + '/' + name, folder.path("sys/class/tty/") + name + "/device");
-    }
-    const std::string root = folder.path();
-    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "ttyUSB0", root), "/sys/devices/usb1/1-1/1-1:1.0")
-        << "files are kept by it";
-    for (const char *name : {"/dev/ttyUSB0", "/dev/ttyUSB1"})
-        EXPECT_EQ(nameAt(PlaceKind::SerialPort, placeOf(PlaceKind::SerialPort, name, root), root), name);
-}
-
-TEST(Place, TellsThePortsOfOneCardApart)
-{
-    const Folder folder;
-    std::filesystem::create_directories(folder.path("dev"));
-    for (const std::string number : {"4", "5", "6"}) {
-        const std::string device = folder.path("sys/devices/pci0/0000:0") + (number == "6" ? "3" : "2");
-        const std::string row = folder.path("sys/class/tty/ttyS") + number;
-        std::filesystem::create_directories(row);
-        std::filesystem::create_directories(device);
-        std::ofstream(folder.path("dev/ttyS") + number) << "";
-        std::ofstream(row + "/port") << (number == "6" ? "0xE000" : "0x0") << '\n';
-        std::ofstream(row + "/iomem_base") << "0xF000" << number << "00\n";
-        std::filesystem::create_symlink(device, row + "/device");
-    }
-    const std::string root = folder.path();
-    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "ttyS6", root), "/sys/devices/pci0/0000:03") << "files are kept by it";
-    for (const char *name : {"/dev/ttyS4", "/dev/ttyS5", "/dev/ttyS6"})
-        EXPECT_EQ(nameAt(PlaceKind::SerialPort, placeOf(PlaceKind::SerialPort, name, root), root), name);
-}
-
 // The real process
 
 /// The far end of a terminal, under a name that stays.
@@ -351,9 +258,17 @@ protected:
     /// The cable comes out, then the program dies.
     void cutAndKill()
     {
+        cut();
+        ::close(process.socket);
+        awaitDebt();
+    }
+    void cut()
+    {
         terminal.reset();
         std::filesystem::remove(name);
-        ::close(process.socket);
+    }
+    void awaitDebt() const
+    {
         const auto end = SteadyClock::now() + patience;
         while (!book.exists() && SteadyClock::now() < end)
             ::usleep(2000);
@@ -392,6 +307,15 @@ TEST_F(CutLine, ThatIsBackGetsItsStopFirst)
     EXPECT_FALSE(book.exists());
 }
 
+TEST_F(CutLine, IsOwedSinceATimeThatNobodyCanSet)
+{
+    cutAndKill();
+    timespec now{};
+    ASSERT_EQ(::clock_gettime(CLOCK_BOOTTIME, &now), 0);
+    ASSERT_EQ(book.read().size(), 1U);
+    EXPECT_LT(std::chrono::abs(book.read().front().since - std::chrono::seconds(now.tv_sec)), 60s);
+}
+
 TEST_F(CutLine, IsTheBusinessOfAProgramThatOpensItAndTheGuardiansAgainIfThatDies)
 {
     cutAndKill();
@@ -406,6 +330,21 @@ TEST_F(CutLine, IsTheBusinessOfAProgramThatOpensItAndTheGuardiansAgainIfThatDies
         EXPECT_EQ(terminal->hear(300ms), "") << "nobody but the program talks there";
     }
     EXPECT_EQ(terminal->hear(patience), "STOP");
+}
+
+TEST_F(CutLine, OfAProgramThatIsFrozenIsTheBusinessOfItsGuardianWhoeverHasTheLock)
+{
+    DebtBook ofProgram(folder.path("run"), "serial:" + name);
+    ASSERT_TRUE(ofProgram.own());
+    cut();
+    awaitDebt(); // it is silent, and does not hang up
+    terminal = std::make_unique<Terminal>(name);
+    ASSERT_EQ(terminal->hear(patience), "STOP");
+    terminal->answer();
+    const auto end = SteadyClock::now() + patience;
+    while (book.exists() && SteadyClock::now() < end)
+        ::usleep(2000);
+    EXPECT_FALSE(book.exists()) << "it was answered";
 }
 
 TEST_F(CutLine, IsNobodysBusinessBetweenTwoTriesOfItsGuardian)
@@ -450,6 +389,40 @@ TEST_F(CutLine, WhoseBookIsTakenAwayIsNoLineThatWasSettled)
     EXPECT_EQ(terminal->hear(patience), "STOP");
     terminal->answer();
     EXPECT_TRUE(isGone());
+}
+
+TEST_F(CutLine, OfTwoDebtsGetsTheOneThatNobodyHasSettled)
+{
+    guardian::Script other = debt("other").script;
+    other.front().bytes = {'H', 'A', 'L', 'T'};
+    tell({Order::Kind::Watch, 2, "other", other});
+    std::array<std::uint8_t, 64> standing{};
+    EXPECT_GT(::recv(process.socket, standing.data(), standing.size(), 0), 0);
+    DebtBook ofProgram(folder.path("run"), "serial:" + name);
+    ASSERT_TRUE(ofProgram.own());
+    cutAndKill();
+    const auto end = SteadyClock::now() + patience;
+    while (book.read().size() < 2 && SteadyClock::now() < end)
+        ::usleep(2000);
+    book.remove("motor"); // seen to stand by the program that has the line now
+    terminal = std::make_unique<Terminal>(name);
+    ofProgram.disown();
+    EXPECT_EQ(terminal->hear(patience), "HALT") << "another master may drive it by now";
+    terminal->answer();
+    EXPECT_TRUE(isGone());
+    EXPECT_FALSE(book.exists());
+}
+
+TEST_F(CutLine, OfAProgramThatDiedIsFreeForTheNextOneWhileItsGuardianOwes)
+{
+    const int line = terminal->open();
+    ASSERT_EQ(::ioctl(line, TIOCEXCL), 0); // as QSerialPort has it, which does not live to take it back
+    ::close(process.socket);
+    awaitDebt();
+    int isExclusive = -1;
+    EXPECT_EQ(::ioctl(line, TIOCGEXCL, &isExclusive), 0);
+    EXPECT_EQ(isExclusive, 0) << "it would be told that another program uses the port";
+    ::close(line);
 }
 
 TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)

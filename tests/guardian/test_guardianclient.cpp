@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a program and the guardians before it know of the same debts: the books on the disk, read by a session on virtual time.
 #include "app/guardian/client/guardianclient.h"
+#include "app/guardian/client/wirescript.h"
 #include "async/virtualclock.h"
 #include "model/owedstops.h"
 #include "support/loosemotor.h"
@@ -39,9 +40,8 @@ protected:
     /// A guardian writes down that it owes a stop, so long ago.
     void owe(std::chrono::seconds ago) const
     {
-        const auto present
-            = std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
-        EXPECT_TRUE(book->add({motor.selector(), {{{0xAB}, {}, {}, 20ms, 3}}, (present - ago).count()}));
+        EXPECT_TRUE(book->add(
+            {motor.selector(), wireScript(motor.script, Outlet::Form::CanSocket), guardian::runTime() - ago}));
     }
 
     std::string folder;
@@ -69,6 +69,29 @@ TEST_F(GuardianBooks, AnAgedDebtIsShownAndNotSentUntilSomebodyHasLooked)
     owed.dismiss();
     EXPECT_TRUE(owed.unseen().empty());
     EXPECT_FALSE(book->exists());
+}
+
+TEST_F(GuardianBooks, ADebtOfAnEarlierRunOfTheMachineIsAnAgedOne)
+{
+    owe(-1h); // since then time began anew
+    GuardianClient client("nowhere", folder + "/run");
+    OwedStops owed(clock, devices, &client);
+    owed.pay(link);
+    EXPECT_EQ(link.sent, Frames{});
+    EXPECT_EQ(owed.unseen().size(), 1U);
+}
+
+TEST_F(GuardianBooks, ADebtThatIsWrittenDownHereIsAsOldForEverybody)
+{
+    GuardianClient client("nowhere", folder + "/run");
+    (void)client.own(link);
+    const Instant since = clock.now() - 9min;
+    ASSERT_TRUE(client.owe({debtorLine, motor.selector(), motor.script, since}, clock.now()));
+    GuardianClient other("nowhere", folder + "/run");
+    (void)other.own(link);
+    const auto owed = other.owed(clock.now());
+    ASSERT_EQ(owed.size(), 1U);
+    EXPECT_LT(std::chrono::abs(owed.front().since - since), 50ms);
 }
 
 TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)

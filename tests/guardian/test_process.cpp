@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fcntl.h>
@@ -44,7 +45,12 @@ public:
         m_path = pattern;
         ::setenv("XDG_RUNTIME_DIR", m_path.c_str(), 1);
     }
-    void TearDown() override { std::filesystem::remove_all(m_path); }
+    void TearDown() override
+    {
+        std::error_code busy = std::make_error_code(std::errc::directory_not_empty); // one writes there meanwhile
+        for (int tries = 0; busy && tries < 100; ++tries)
+            std::filesystem::remove_all(m_path, busy);
+    }
 
 private:
     std::string m_path;

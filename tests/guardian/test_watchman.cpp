@@ -133,6 +133,24 @@ TEST_F(Watching, AProgramThatComesBackIsNotWatchedUntilItAsks)
     EXPECT_EQ(port.texts(), "aaaa");
 }
 
+TEST_F(Watching, AProgramThatFellSilentPaysNothingUntilItIsHeardAgainOrEnds)
+{
+    hear(Kind::Watch, 4);
+    run(490ms);
+    EXPECT_FALSE(watchman.hasFallenSilent());
+    run(20ms);
+    EXPECT_TRUE(watchman.hasFallenSilent());
+    hear(Kind::Forget, 4);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "it has thawed";
+    run(2s);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "one that drives nothing has nothing to say";
+    hear(Kind::Watch, 5);
+    run(600ms);
+    EXPECT_TRUE(watchman.hasFallenSilent());
+    watchman.hangUp(port.now);
+    EXPECT_FALSE(watchman.hasFallenSilent()) << "whoever has its line now is another one";
+}
+
 TEST_F(Watching, ItsOwnDelayIsNoSilenceOfTheProgram)
 {
     hear(Kind::Watch, 4);
@@ -192,15 +210,21 @@ TEST_F(Watching, AStopIsOwedForTenMinutes)
     EXPECT_EQ(lines.back(), "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it ended)");
 }
 
-TEST_F(Watching, AStopThatAnotherProcessHasTakenOverIsNotItsBusinessAnyMore)
+TEST_F(Watching, AStopThatAnotherProcessHasSettledIsNotItsBusinessAnyMore)
 {
-    hear(Kind::Watch, 4);
+    hear(Kind::Watch, 4, "a");
+    hear(Kind::Watch, 5, "b");
     port.state = Port::Sent::Lost;
     watchman.hangUp(port.now);
     run(10ms);
-    watchman.handOver();
+    watchman.settle([](const Watchman::Owed &owed) { return owed.name == "motor 4"; });
+    port.state = Port::Sent::All;
+    watchman.pay(port.now);
+    run(100ms);
+    EXPECT_EQ(port.texts(), "bb") << "whoever drives 4 by now goes on";
     EXPECT_TRUE(watchman.isDone());
-    EXPECT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines.back(), "stopped at last motor 5 (the program that drove it ended)");
 }
 
 TEST_F(Watching, RefusesWhatMakesNoSense)

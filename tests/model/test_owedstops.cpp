@@ -184,6 +184,41 @@ TEST_F(Owed, OnALineThatAGuardianHadWhenItWasOpenedIsTakenOverAsSoonAsThatLetsGo
     const int asked = guard.asked;
     clock.advance(5s);
     EXPECT_EQ(guard.asked, asked) << "once";
+    EXPECT_EQ(link.sent, Frames{"00000300#00"}) << "once";
+}
+
+TEST_F(Owed, WhatIsWrittenDownWhileItsLineIsOpenHereIsSentWithinASecond)
+{
+    guard.book = {stopOf("socketcan:can0/loose:3", 0x300)};
+    EXPECT_EQ(paid(link), Frames{"00000300#00"});
+    EXPECT_EQ(paid(otherLink), Frames{});
+    link.sent.clear();
+    clock.advance(3s);
+    guard.book.push_back(stopOf("socketcan:can0/loose:4", 0x400, otherOwedLine));
+    guard.book.push_back(stopOf("socketcan:can0/loose:5", 0x500));
+    clock.advance(1s);
+    EXPECT_EQ(otherLink.sent, Frames{"00000400#00"});
+    EXPECT_EQ(link.sent, Frames{"00000500#00"});
+    EXPECT_EQ(owed.unseen().size(), 3U);
+    clock.advance(5s);
+    EXPECT_EQ(link.sent.size() + otherLink.sent.size(), 2U) << "once";
+    guard.book.front().since = clock.now(); // it was driven again, and its stop failed again
+    clock.advance(1s);
+    EXPECT_EQ(link.sent, (Frames{"00000500#00", "00000300#00"}));
+}
+
+TEST_F(Owed, TheFirstThatIsWrittenDownWhileItsLineIsOpenHereIsSentWithinASecond)
+{
+    EXPECT_EQ(paid(link), Frames{});
+    clock.advance(1h);
+    guard.book = {stopOf("socketcan:can0/loose:3", 0x300)};
+    clock.advance(1s);
+    EXPECT_EQ(link.sent, Frames{"00000300#00"}) << "the guardian that wrote it leaves it to whoever has the line";
+    EXPECT_EQ(owed.unseen().size(), 1U);
+    owed.leave(owedLine);
+    guard.book = {stopOf("socketcan:can0/loose:4", 0x400)};
+    clock.advance(5s);
+    EXPECT_EQ(link.sent.size(), 1U) << "a line that was left is the guardians'";
 }
 
 TEST_F(Owed, OnALineThatIsLeftAgainIsNotAskedFor)

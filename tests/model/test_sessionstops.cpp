@@ -5,8 +5,6 @@
 #include "support/fakeguard.h"
 #include "support/mutedevice.h"
 #include "support/pseudoterminal.h"
-#include "transport/backends/virtualserial.h"
-#include "transport/backends/virtualspi.h"
 #include "transport/seriallink.h"
 
 #include <QDir>
@@ -48,6 +46,13 @@ public:
         : MuteDevice(wiredFamily, link, clock, std::move(identity))
         , m_line(link)
     {
+    }
+    /// As another master drives it.
+    void turn()
+    {
+        Liveness now = liveness();
+        now.moving = true;
+        setLiveness(now);
     }
     bool seen = false;
 
@@ -96,11 +101,12 @@ protected:
         EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         return opened.value_or(nullptr);
     }
-    WiredMotor &motorOn(Link &link, int number = 3)
+    WiredMotor &motorOn(Link &link, int number = 3, DeviceState state = DeviceState::Online)
     {
         Identity identity;
         identity.family = "wired";
         identity.address = number;
+        identity.state = state;
         return static_cast<WiredMotor &>(devices.adopt(link, wiredFamily, identity, {}));
     }
     /// As a guardian of an earlier program writes it down.
@@ -174,6 +180,32 @@ TEST_F(SessionLines, AClosedLinkStopsItsOwnMotorsOnlyAndOwesWhatWasNotSeen)
     EXPECT_EQ(sent[1], Bytes(5, driveByte));
 }
 
+TEST_F(SessionLines, AClosedLinkLeavesAloneWhatThisProgramHasNotMovedAndOwesItNothing)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    (void)devices.stream(motor); // as every picture of the window makes one
+    motor.turn();
+    bool sent = false;
+    const auto tap = links[0]->traffic().add([&sent](const Traffic &) { sent = true; });
+    close(*links[0]);
+    EXPECT_FALSE(sent) << "another master drives it";
+    EXPECT_TRUE(stops.owed().empty());
+    EXPECT_TRUE(guard.book.empty());
+}
+
+TEST_F(SessionLines, AStopThatWasGivenUpIsNotToldAnewByAClosedLink)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    run(motor);
+    const Instant told = clock.now();
+    lose(0);
+    clock.advance(11min);
+    ASSERT_EQ(motor.stopping().state(), StopState::Unconfirmed);
+    close(*links[0]);
+    ASSERT_EQ(guard.book.size(), 1U);
+    EXPECT_EQ(guard.book.front().since, told) << "it is shown, and not sent for ten minutes more";
+}
+
 TEST_F(SessionLines, WhatIsOwedIsTheFirstOnTheLineWhenItIsOpenedAgainAndItsDeviceTakesItOver)
 {
     run(motorOn(*links[0]));
@@ -205,6 +237,25 @@ TEST_F(SessionLines, WhatIsTakenOverLateStillReachesADeviceThatWasFoundBefore)
     EXPECT_EQ(heard(0, 2), (Bytes{scriptByte, stopByte}));
     EXPECT_TRUE(found.stopping().isForMotion());
     EXPECT_TRUE(stops.owed().empty());
+}
+
+TEST_F(SessionLines, WhatIsOwedToADeviceThatMayNotBeToldReachesItOnceItMay)
+{
+    guard.book = {owedTo(motorOn(*links[0]))};
+    close(*links[0]);
+    links[0] = openLine(0);
+    WiredMotor &found = motorOn(*links[0], 3, DeviceState::Bootloader);
+    clock.advance(2s);
+    EXPECT_EQ(heard(0, 1), Bytes{scriptByte});
+    EXPECT_EQ(stops.owed().size(), 1U);
+    (void)motorOn(*links[0]); // it has its power now
+    clock.advance(1s);
+    EXPECT_TRUE(found.stopping().isForMotion());
+    EXPECT_TRUE(stops.owed().empty()) << "its device shows it";
+    EXPECT_EQ(heard(0, 1), Bytes{stopByte});
+    found.seen = true;
+    clock.advance(1s);
+    EXPECT_TRUE(guard.book.empty());
 }
 
 TEST_F(SessionLines, WhatIsTakenOverLateIsNotSentIntoAMotionOfThisProgramWhoseOwnStopSettlesIt)
@@ -443,43 +494,6 @@ TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
     EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
     devices.forget(*links[0]);
     EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
-}
-
-// What a script is on each kind of link
-
-TEST(StopScripts, GoOutAsFramesAsBytesOrAsTransfersAndInTheirOrder)
-{
-    VirtualClock clock;
-    const StopScript both{
-        {{extendedFrame(0x100, {0}), {1, 2}, {}, {}, 5ms, 3}, {extendedFrame(0x200, {0}), {3}, {}, {}, 5ms, 1}}};
-    EXPECT_TRUE(StopScript{}.isEmpty());
-    EXPECT_FALSE(both.isEmpty());
-
-    VirtualSerialLine wire(clock, VirtualSerialLine::Wiring::FullDuplex, 1);
-    VirtualSerialLink serial(*LinkAddress::parse("sim:serial"), wire);
-    ASSERT_TRUE(serial.open());
-    Bytes bytes;
-    const auto sentBytes = serial.traffic().add(
-        [&bytes](const Traffic &traffic) { bytes.insert(bytes.end(), traffic.bytes.begin(), traffic.bytes.end()); });
-    sendScript(serial, both);
-    EXPECT_EQ(bytes, (Bytes{1, 2, 3})) << "each once";
-
-    struct Board final : SpiSlave {
-        void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t>) override
-        {
-            heard.emplace_back(mosi.begin(), mosi.end());
-        }
-        [[nodiscard]] bool isReady() const override { return false; }
-        void reset() override { }
-        std::vector<Bytes> heard;
-    } board;
-    VirtualSpiSlaveLink slave(*LinkAddress::parse("sim:spi"));
-    VirtualSpiLink spi(*LinkAddress::parse("sim:spi"), clock, slave, 500'000, 1);
-    slave.attach(&board);
-    ASSERT_TRUE(spi.open());
-    sendScript(spi, {{both.steps[0]}});
-    clock.advance(10ms);
-    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1, 2}}));
 }
 
 } // namespace

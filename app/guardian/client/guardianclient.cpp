@@ -4,6 +4,7 @@
 #include "app/guardian/client/wirescript.h"
 #include "app/guardian/message.h"
 #include "app/guardian/watchman.h"
+#include "model/devicestop.h"
 
 #include <QSocketNotifier>
 
@@ -21,12 +22,6 @@ namespace mb {
 namespace {
 
 constexpr int mostUnanswered = 10; // renewals, ten a second
-
-/// Books outlive every other clock.
-std::chrono::seconds present()
-{
-    return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch());
-}
 
 } // namespace
 
@@ -280,8 +275,9 @@ std::vector<OwedStop> GuardianClient::owed(Instant now) const
         if (account.book.exists() || account.book.isSettled())
             account.known = account.book.read();
         for (const guardian::Debt &debt : account.known) {
-            const auto age = std::max(present() - std::chrono::seconds(debt.since), std::chrono::seconds(0));
-            all.push_back({line, debt.name, scriptFromWire(debt.script, account.form), now - age});
+            const auto age = guardian::runTime() - debt.since;
+            const Instant since = now - (age.count() < 0 ? DeviceStop::debtLimit : Duration(age));
+            all.push_back({line, debt.name, scriptFromWire(debt.script, account.form), since});
         }
     }
     return all;
@@ -290,9 +286,10 @@ std::vector<OwedStop> GuardianClient::owed(Instant now) const
 bool GuardianClient::owe(const OwedStop &stop, Instant now)
 {
     const auto account = m_accounts.find(stop.line);
-    const auto since = present() - std::chrono::floor<std::chrono::seconds>(now - stop.since);
+    const auto age = std::chrono::duration_cast<std::chrono::milliseconds>(now - stop.since);
     return account != m_accounts.end()
-        && account->second.book.add({stop.device, wireScript(stop.script, account->second.form), since.count()});
+        && account->second.book.add(
+            {stop.device, wireScript(stop.script, account->second.form), guardian::runTime() - age});
 }
 
 void GuardianClient::settle(const std::string &line, const std::string &device)
