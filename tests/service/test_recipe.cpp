@@ -197,6 +197,12 @@ TEST(Recipes, KnowWhatAFamilyCannotDo)
 "accept":{"friction":0.5}}})");
     ASSERT_FALSE(no);
     EXPECT_EQ(no.error().detail.english().substr(0, 7), "line 3:");
+    const auto keeps = parse(R"({"recipe":1,"name":"n","family":"quadquad2drv",
+"parameters":{"file":"a.json","store":true}})");
+    ASSERT_FALSE(keeps);
+    EXPECT_EQ(keeps.error().text(),
+        "line 2: a quadquad2drv keeps no setting without power; leave 'store' out: its settings are lost with its "
+        "power");
 }
 
 Visit passedWith(const std::string &unit, double settle)
