@@ -96,6 +96,13 @@ bool BusRows::isHeard(const Row &row) const
     return device && device->liveness().heard && unitKeyOf(*device) == row.shown->visit.unit;
 }
 
+/// Another one was here, and only its place tells it from this one.
+bool BusRows::isExchanged(const std::string &unit) const
+{
+    return unitByOf(unit) == UnitBy::Place
+        && std::ranges::any_of(m_rows, [&unit](const Row &row) { return row.shown->visit.unit == unit; });
+}
+
 void BusRows::served(Row &row)
 {
     row.silentAt.reset();
@@ -126,6 +133,8 @@ BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
 
 void BusRows::addRow(Device &device, const std::string &unit)
 {
+    if (isExchanged(unit))
+        device.exchanged();
     Row &row = m_rows.emplace_back();
     row.seen = true;
     follow(row, device);

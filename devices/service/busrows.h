@@ -62,6 +62,7 @@ private:
     void hear(Row &row, const Device &device);
     [[nodiscard]] Instant now() const { return m_session.clockOf(m_link).now(); }
     [[nodiscard]] bool isHeard(const Row &row) const;
+    [[nodiscard]] bool isExchanged(const std::string &unit) const;
     [[nodiscard]] bool isGone(const Row &row, const std::optional<Instant> &since) const;
     void recall(const std::vector<Device *> &found);
     [[nodiscard]] bool isMoved(const Visit &visit, const Device &device) const;

@@ -76,6 +76,22 @@ TEST_F(UnitsByPlace, GainsThatCannotBeReadAreWrittenToTheNextUnitInThePlaceToo)
     EXPECT_EQ(saved, (std::vector<std::size_t>{0, 1})) << "each has them in its flash";
 }
 
+TEST_F(UnitsByPlace, WhatIsKnownOfOneIsNotTakenForTheNext)
+{
+    UnitRack rack({"abstractdc:3", "abstractdc:3"});
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, driveRecipe, driveGains), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    ASSERT_EQ(rack.session->devices().size(), 1U);
+    rack.session->devices().front()->knowledge().setCounter("saves.velocity", 50);
+    exchangeFor(rack, 1);
+    ASSERT_TRUE(waitFor(rack, run, 2));
+    const Visit next = books->visits().back();
+    EXPECT_EQ(next.outcome, Outcome::Passed) << next.cause.english();
+    EXPECT_NE(next.evidence.english().find("has 0 values"), std::string::npos) << next.evidence.english();
+}
+
 const QByteArray nodeRecipe = R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":10}})";
 
 TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
