@@ -7,6 +7,7 @@
 #include "async/event.h"
 #include "files/filebytes.h"
 #include "model/operation.h"
+#include "model/standstill.h"
 #include "model/transcript.h"
 
 #include <algorithm>
@@ -217,6 +218,8 @@ Task<int> flash(Console &console, FlashArguments arguments)
         co_return fail(plan.error());
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
+    auto standing = standsStill(*device);
+    co_await std::move(standing);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
         auto keeping = notebook.keepOrRefuse(*device, settings::Occasion::Update);

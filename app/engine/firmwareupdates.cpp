@@ -3,6 +3,7 @@
 
 #include "async/background.h"
 #include "model/family.h"
+#include "model/standstill.h"
 #include "service/busydevice.h"
 
 #include <algorithm>
@@ -43,6 +44,8 @@ Task<UpdateReport> FirmwareUpdates::update(
 {
     m_scans.forget(device.link());
     const service::BusyDevice busy(device, say("firmware update"));
+    auto standing = standsStill(device); // a click may be late, and what it was given on a picture
+    co_await std::move(standing);
     auto keeping = m_parameters.keepBefore(device, settings::Occasion::Update, progress);
     co_await std::move(keeping);
     auto updating = device.family().update(device, *image, std::move(options), progress);

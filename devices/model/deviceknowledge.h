@@ -69,7 +69,8 @@ public:
     [[nodiscard]] UnsettledWrite writing(ParameterIndex index) { return {m_self, index}; }
     /// For devices that keep nothing: something was written that is believed to be in force.
     [[nodiscard]] bool holdsSettings() const { return m_profile->lost.size() < m_profile->written.size(); }
-    /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
+    /// A reset of such a device was noticed, or another one may stand in the place of any. Everything is unknown, what was written is
+    /// lost until it is written again.
     void settingsLost();
 
     /// Of what a scan has found, what is shown: with the dialect that was proven before or that the user chose, and what that means.

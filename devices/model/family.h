@@ -275,7 +275,7 @@ struct Family {
     CanDecoder (*followCan)(std::string_view dialect) = nullptr;
     /// Of a family on serial and SPI links.
     std::unique_ptr<ByteDecoder> (*decodeBytes)(std::string_view dialect) = nullptr;
-    /// nullptr: no firmware update. The image outlives the task.
+    /// nullptr: no firmware update. The image outlives the task. Whoever calls it has asked standsStill() first.
     Task<UpdateReport> (*update)(Device &, const FirmwareImage &, UpdateOptions, Progress &) = nullptr;
     Result<ImageSummary> (*inspect)(const FirmwareImage &) = nullptr;
     Result<std::unique_ptr<Simulator>> (*simulate)(Link &, Clock &, const SimulatedUnit &) = nullptr;

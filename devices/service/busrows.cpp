@@ -32,9 +32,11 @@ BusRows::BusRows(Session &session, Link &link, Wanted wanted, std::uint32_t &las
 
 void BusRows::take(const std::vector<Device *> &found, const Row *serving)
 {
-    for (Row &row : m_rows)
+    for (Row &row : m_rows) {
         row.seen = false;
-    for (const Device *const device : found) {
+        row.gone = row.gone || isGone(row, row.silentAt);
+    }
+    for (Device *const device : found) {
         if (device->family().key == m_wanted.family->key)
             notice(*device);
     }
@@ -46,7 +48,7 @@ void BusRows::take(const std::vector<Device *> &found, const Row *serving)
     m_isFirstLook = false;
 }
 
-void BusRows::notice(const Device &device)
+void BusRows::notice(Device &device)
 {
     const std::string unit = unitKeyOf(device);
     Row *known = rowOf(device, unit);
@@ -63,8 +65,55 @@ void BusRows::notice(const Device &device)
     known->seen = true;
     known->absentAt.reset();
     known->gone = false;
-    if (known->shown->device != m_session.idOf(device))
+    if (known->shown->device != m_session.idOf(device)) {
         known->shown.edit().device = m_session.idOf(device);
+        follow(*known, device);
+    }
+}
+
+void BusRows::follow(Row &row, Device &device)
+{
+    row.silentAt.reset();
+    row.hearing = device.changed().add([this, &row, &device] { hear(row, device); });
+}
+
+/// A look asks a place once, and may take longer than it takes to change the unit in it; a device is asked all the time. Of the
+/// silence of a link that is lost nothing follows.
+void BusRows::hear(Row &row, const Device &device)
+{
+    if (!device.liveness().heard) {
+        if (!row.silentAt && m_link.state() == LinkState::Open)
+            row.silentAt = now();
+    } else if (isGone(row, std::exchange(row.silentAt, {}))) {
+        row.gone = true;
+        m_isAnyBack = true;
+    }
+}
+
+bool BusRows::isHeard(const Row &row) const
+{
+    const Device *const device = m_session.find(row.shown->device);
+    return device && device->liveness().heard && unitKeyOf(*device) == row.shown->visit.unit;
+}
+
+/// Another one was here, and only its place tells it from this one.
+bool BusRows::isExchanged(const std::string &unit) const
+{
+    return unitByOf(unit) == UnitBy::Place
+        && std::ranges::any_of(m_rows, [&unit](const Row &row) { return row.shown->visit.unit == unit; });
+}
+
+void BusRows::served(Row &row)
+{
+    row.silentAt.reset();
+    if (const Device *const device = m_session.find(row.shown->device))
+        hear(row, *device);
+}
+
+bool BusRows::isGone(const Row &row, const std::optional<Instant> &since) const
+{
+    return since && !m_wanted.once && !row.missing && row.shown->state != RowState::Running
+        && now() - *since >= goneAfter;
 }
 
 /// By the number that was given here first, however long it was gone; else by its name, while it was not gone. One that another
@@ -82,10 +131,13 @@ BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
     return known;
 }
 
-void BusRows::addRow(const Device &device, const std::string &unit)
+void BusRows::addRow(Device &device, const std::string &unit)
 {
+    if (isExchanged(unit))
+        device.exchanged();
     Row &row = m_rows.emplace_back();
     row.seen = true;
+    follow(row, device);
     QueueRow &shown = row.shown.edit();
     shown.id = ++m_lastRow;
     shown.device = m_session.idOf(device);
@@ -161,13 +213,15 @@ bool BusRows::isAnyMissing() const
 /// Where units come and go: who waits and is gone leaves the list, who has ended may begin again when it was gone for long enough.
 void BusRows::markAbsent(const Row *serving)
 {
-    const Instant now = m_session.clockOf(m_link).now();
     for (Row &row : m_rows) {
         if (row.seen)
             continue;
-        if (!row.absentAt)
-            row.absentAt = now;
-        row.gone = row.gone || (!m_wanted.once && !row.missing && now - *row.absentAt >= goneAfter);
+        if (isHeard(row)) { // one look has missed it
+            row.absentAt.reset();
+            continue;
+        }
+        row.absentAt = row.absentAt.value_or(now());
+        row.gone = row.gone || isGone(row, row.absentAt);
     }
     if (!m_wanted.once)
         m_rows.remove_if([serving](const Row &row) {

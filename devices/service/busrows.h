@@ -7,6 +7,7 @@
 #include <list>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace mb::service {
 
@@ -17,10 +18,12 @@ public:
     struct Row {
         Published<QueueRow> shown;
         bool seen = false;               ///< in the last look
-        std::optional<Instant> absentAt; ///< since when nobody saw it
+        std::optional<Instant> absentAt; ///< since when no look saw it
+        std::optional<Instant> silentAt; ///< since when it is not heard, however long a look takes
         bool gone = false;               ///< long enough to begin again
         bool missing = false;            ///< cut off in the run that is resumed, and not seen since
         bool moved = false;              ///< seen under the number that it was given: its first place is another's now
+        Subscription hearing;
         [[nodiscard]] bool isMissed() const { return missing && shown->state == RowState::Waiting; }
     };
     /// All of it outlives the rows.
@@ -35,6 +38,10 @@ public:
 
     /// What a scan of the link has found; `serving` stays whatever it was.
     void take(const std::vector<Device *> &found, const Row *serving);
+    /// It was served: what was not heard meanwhile was its own doing.
+    void served(Row &row);
+    /// Somebody is heard where one was gone, since the last call; a look tells who.
+    [[nodiscard]] bool isAnyBack() { return std::exchange(m_isAnyBack, false); }
     [[nodiscard]] std::list<Row> &all() { return m_rows; }
     [[nodiscard]] const std::list<Row> &all() const { return m_rows; }
     [[nodiscard]] bool hasWaiting() const;
@@ -48,9 +55,15 @@ public:
     [[nodiscard]] bool hasTwin(const Row &row) const;
 
 private:
-    void notice(const Device &device);
+    void notice(Device &device);
     [[nodiscard]] Row *rowOf(const Device &device, const std::string &unit);
-    void addRow(const Device &device, const std::string &unit);
+    void addRow(Device &device, const std::string &unit);
+    void follow(Row &row, Device &device);
+    void hear(Row &row, const Device &device);
+    [[nodiscard]] Instant now() const { return m_session.clockOf(m_link).now(); }
+    [[nodiscard]] bool isHeard(const Row &row) const;
+    [[nodiscard]] bool isExchanged(const std::string &unit) const;
+    [[nodiscard]] bool isGone(const Row &row, const std::optional<Instant> &since) const;
     void recall(const std::vector<Device *> &found);
     [[nodiscard]] bool isMoved(const Visit &visit, const Device &device) const;
     void addMissing();
@@ -63,6 +76,7 @@ private:
     std::uint32_t &m_lastRow;
     std::list<Row> m_rows;
     bool m_isFirstLook = true;
+    bool m_isAnyBack = false;
 };
 
 } // namespace mb::service

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/preflight.h"
 
-#include "async/sleep.h"
 #include "experiment/owedgains.h"
+#include "model/standstill.h"
 
 namespace mb::service {
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr Duration masterListen = 150ms; // another master sends at least this often
 
 /// Names of the states in which nothing may be done to a unit.
 Result<void> checkState(const Device &device, const Recipe &recipe)
@@ -34,15 +30,6 @@ Result<void> checkState(const Device &device, const Recipe &recipe)
     return {};
 }
 
-Result<void> checkStill(const Device &device)
-{
-    if (device.liveness().foreignMaster)
-        return fail(Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));
-    if (device.liveness().moving)
-        return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));
-    return {};
-}
-
 /// Gains that an experiment tried are no state of a unit that could be backed up, or pass.
 Task<void> checkOwed(Device &device, tuning::ExperimentJournal &trials)
 {
@@ -61,15 +48,11 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::Experim
 {
     if (auto state = checkState(device, matter.recipe); !state)
         co_return fail(state.error());
-    if (device.identity().state != DeviceState::Bootloader) {
-        Sleep listening(device.clock(), masterListen);
-        co_await listening;
-        if (auto still = checkStill(device); !still)
-            co_return fail(still.error());
-        if (trials) {
-            auto asking = checkOwed(device, *trials);
-            co_await std::move(asking);
-        }
+    auto standing = standsStill(device);
+    co_await std::move(standing);
+    if (trials && device.identity().state != DeviceState::Bootloader) {
+        auto asking = checkOwed(device, *trials);
+        co_await std::move(asking);
     }
     if (!matter.recipe.firmware) {
         if (auto offered = checkOffered(device, matter); !offered)

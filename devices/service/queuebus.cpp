@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/queuebus.h"
 
+#include "async/scope.h"
 #include "async/sleep.h"
 #include "model/family.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 namespace mb::service {
 namespace {
@@ -12,7 +15,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration lookAgain = 300ms;
-constexpr Duration missedAfter = 10s; ///< a unit that starts again, or a hand that puts it back
+constexpr Duration whileLooking = 20ms; ///< is asked whether there is something better to do
+constexpr Duration missedAfter = 10s;   ///< a unit that starts again, or a hand that puts it back
 
 /// Whoever has the list keeps it as it was.
 std::shared_ptr<const std::vector<LogLine>> extended(
@@ -123,9 +127,20 @@ Task<void> QueueBus::run()
 
 Task<void> QueueBus::look()
 {
-    auto scanning = m_session.scan(m_link);
-    const std::vector<Device *> found = co_await std::move(scanning);
-    m_rows.take(found, m_serving);
+    Clock &clock = m_session.clockOf(m_link);
+    std::optional<Result<std::vector<Device *>>> found;
+    Scope scanning(clock);
+    scanning.spawn<std::vector<Device *>>(
+        m_session.scan(m_link), [&found](Result<std::vector<Device *>> result) { found = std::move(result); });
+    while (!found) {
+        if (m_run.isFinishing() || m_rows.isAnyBack() || (m_run.mayBegin() && m_rows.next()))
+            co_return {};
+        Sleep waiting(clock, whileLooking);
+        co_await waiting;
+    }
+    if (!*found)
+        co_return fail(found->error());
+    m_rows.take(**found, m_serving);
     m_run.changed().notify();
     co_return {};
 }
@@ -234,6 +249,7 @@ class QueueBus::Serving {
 public:
     Serving(QueueBus &bus, Row &row)
         : m_bus(bus)
+        , m_row(row)
     {
         m_bus.m_serving = &row;
         m_bus.m_wantsSkip = false;
@@ -244,6 +260,7 @@ public:
     Serving &operator=(const Serving &) = delete;
     ~Serving()
     {
+        m_bus.m_rows.served(m_row);
         m_bus.m_run.end(m_bus.m_link);
         m_bus.m_serving = nullptr;
         m_bus.m_stream = nullptr;
@@ -251,6 +268,7 @@ public:
 
 private:
     QueueBus &m_bus;
+    Row &m_row;
 };
 
 Task<void> QueueBus::serve(Row &row)

@@ -37,6 +37,7 @@ public:
 private:
     using Row = BusRows::Row;
     class Telling;
+    /// Given up where there is something better to do.
     [[nodiscard]] Task<void> look();
     [[nodiscard]] Task<void> checkAll();
     [[nodiscard]] Task<void> check(Row &row);

@@ -52,6 +52,19 @@ Result<void> readImage(const std::string &path, RecipeMatter &matter, QCryptogra
     return {};
 }
 
+/// Nothing of one visit switches a unit off and on, and without that its motor may not be driven.
+Result<void> checkTested(const Recipe &recipe, const ParameterChange &change)
+{
+    const Parameter &parameter = recipe.family->parameters[change.index.value];
+    const TrialTraits *const trials = recipe.family->trials;
+    if (!recipe.test || !trials || parameter.key != trials->never
+        || static_cast<double>(change.raw) >= parameter.maximum * parameter.one)
+        return {};
+    return fail(Fault::OutOfRange,
+        say("a unit whose %1 was lowered must lose its power once before its motor may be driven", parameter.key),
+        say("leave it out of the file, or the self-test out of the recipe"));
+}
+
 /// What makes one unit this very one is never copied to all of them.
 Result<void> readParameters(const std::string &path, RecipeMatter &matter, QCryptographicHash &all)
 {
@@ -64,6 +77,8 @@ Result<void> readParameters(const std::string &path, RecipeMatter &matter, QCryp
     if (!parsed)
         return fail(parsed.error().about(file));
     for (const ParameterChange &change : parsed->values) {
+        if (auto tested = checkTested(matter.recipe, change); !tested)
+            return fail(tested.error().about(file));
         const Parameter &parameter = family.parameters[change.index.value];
         const bool kept = parameter.persistent || !family.capabilities.keepsSettings;
         if (parameter.access != Access::ReadOnly && parameter.nature == Nature::Setting && kept

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace mb::service {
 namespace {
@@ -233,30 +234,17 @@ Task<void> UnitRun::readAll()
     co_return {};
 }
 
-/// What the recipe says and the unit is not known to have; of what cannot be read, what nobody has written since it was lost.
-std::vector<ParameterChange> UnitRun::missing() const
+/// The unit is not known to have it; of what cannot be read, nobody has written it since it was lost.
+bool UnitRun::isMissing(const ParameterChange &change) const
 {
-    std::vector<ParameterChange> changes;
-    for (const ParameterChange &change : m_around.matter.parameters) {
-        const ParameterStore::Entry &entry = m_device.parameters().entry(change.index);
-        const bool known = entry.raw && entry.state != ParameterState::Failed;
-        if (m_device.offers(change.index) && (!known || *entry.raw != change.raw))
-            changes.push_back(change);
-    }
-    return changes;
+    const ParameterStore::Entry &entry = m_device.parameters().entry(change.index);
+    return !entry.raw || entry.state == ParameterState::Failed || *entry.raw != change.raw;
 }
 
+/// What is assumed of it may be the unit's before, so that it is written each time.
 bool UnitRun::isUnreadable(const ParameterChange &change) const
 {
-    return m_device.parameters().parameter(change.index).access == Access::WriteOnly && m_device.offers(change.index);
-}
-
-/// Settings of the recipe that cannot be read: what is assumed of them may be the unit's before, so that they are written each time.
-std::vector<ParameterChange> UnitRun::unreadable() const
-{
-    std::vector<ParameterChange> changes = m_around.matter.parameters;
-    std::erase_if(changes, [this](const ParameterChange &change) { return !isUnreadable(change); });
-    return changes;
+    return m_device.parameters().parameter(change.index).access == Access::WriteOnly;
 }
 
 /// Readable settings that are not part of the recipe and not what the backup says.
@@ -282,24 +270,27 @@ Task<Message> UnitRun::setParameters()
     co_await std::move(reading);
     if (auto offered = checkOffered(m_device, m_around.matter); !offered) // an update may have changed what it has
         co_return fail(offered.error());
-    const std::vector<ParameterChange> blind = unreadable();
-    std::vector<ParameterChange> changes = missing();
-    std::erase_if(changes, [this](const ParameterChange &change) { return isUnreadable(change); });
-    changes.insert(changes.end(), blind.begin(), blind.end());
+    std::vector<ParameterChange> changes = m_around.matter.parameters;
+    std::erase_if(
+        changes, [this](const ParameterChange &change) { return !isUnreadable(change) && !isMissing(change); });
     auto writing = settings::writeKept(
         m_device, changes, {settings::Origin::Recipe, settings::Purpose::Write}, m_around.settings, m_progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
     for (const TransferOutcome &outcome : outcomes) {
         if (!outcome.raw)
             co_return fail(outcome.raw.error());
+        if (m_device.parameters().parameter(outcome.index).afterRestart)
+            m_later.push_back(outcome.index);
     }
     m_wrote = !changes.empty();
     if (m_around.matter.recipe.parameters->store && !storesByItself()) {
         auto storing = m_device.store(m_progress);
         co_await std::move(storing);
     }
-    const int count = static_cast<int>(m_around.matter.parameters.size());
-    m_visit.parameters = count - static_cast<int>(blind.size());
+    const auto &wanted = m_around.matter.parameters;
+    const auto count = static_cast<int>(wanted.size());
+    const auto untold = std::ranges::count_if(wanted, [this](const auto &change) { return isUnreadable(change); });
+    m_visit.parameters = count - static_cast<int>(untold) - static_cast<int>(m_later.size());
     co_return say("%1 of %2 written", changes.size(), settingsText(count));
 }
 
@@ -424,16 +415,27 @@ Task<Message> UnitRun::giveNumber()
 /// What proves it, and what nothing can prove.
 Message UnitRun::proofOf(bool stores) const
 {
-    const std::size_t blind = unreadable().size();
+    const auto &wanted = m_around.matter.parameters;
+    const auto blind = std::ranges::count_if(wanted, [this](const auto &change) { return isUnreadable(change); });
     const bool isChanged = m_wrote || m_earlier > 0.0; // what was cut off may have written
     Message told = !stores ? say("read back") : isChanged ? say("its flash has it") : say("nothing had to be stored");
+    if (blind > 0) {
+        const Message untold = blind == 1 ? say("1 setting was written and cannot be read back")
+                                          : say("%1 settings were written and cannot be read back", blind);
+        told = blind == std::ssize(wanted) && !stores ? untold : joined(told, untold);
+    }
     if (m_visit.number && m_device.identity().address != *m_visit.number)
         told = joined(told, say("its number holds from its next power cycle on, and nothing proves it before"));
-    if (blind == 0)
-        return told;
-    const Message untold = blind == 1 ? say("1 setting was written and cannot be read back")
-                                      : say("%1 settings were written and cannot be read back", blind);
-    return blind == m_around.matter.parameters.size() && !stores ? untold : joined(told, untold);
+    if (!m_later.empty())
+        told = joined(told,
+            m_later.size() == 1
+                ? say("1 setting holds from its next power cycle on, and nothing proves it before")
+                : say("%1 settings hold from its next power cycle on, and nothing proves them before", m_later.size()));
+    if (!wanted.empty() && !stores && !m_around.matter.recipe.parameters->store)
+        told = joined(told,
+            wanted.size() == 1 ? say("1 setting is lost with its power")
+                               : say("%1 settings are lost with its power", wanted.size()));
+    return told;
 }
 
 Task<Message> UnitRun::prove()
@@ -452,7 +454,11 @@ Task<Message> UnitRun::prove()
     m_visit.to = m_device.identity().firmware;
     auto reading = readAll();
     co_await std::move(reading);
-    if (const auto left = missing(); m_around.matter.recipe.parameters && !left.empty())
+    std::vector<ParameterChange> left = m_around.matter.parameters;
+    std::erase_if(left, [this](const ParameterChange &change) {
+        return std::ranges::find(m_later, change.index) != m_later.end() || !isMissing(change);
+    });
+    if (!left.empty())
         co_return fail(Fault::BadCheck,
             say("%1 of the recipe read back different, first %2", settingsText(static_cast<int>(left.size())),
                 m_device.parameters().parameter(left.front().index).key),

@@ -46,9 +46,8 @@ private:
     [[nodiscard]] Task<void> standBy();
     [[nodiscard]] Result<void> isSame() const;
     [[nodiscard]] Task<void> readAll();
-    [[nodiscard]] std::vector<ParameterChange> missing() const;
+    [[nodiscard]] bool isMissing(const ParameterChange &change) const;
     [[nodiscard]] bool isUnreadable(const ParameterChange &change) const;
-    [[nodiscard]] std::vector<ParameterChange> unreadable() const;
     [[nodiscard]] Message proofOf(bool stores) const;
     [[nodiscard]] int others() const;
 
@@ -61,6 +60,7 @@ private:
     const double m_earlier;                      ///< s, of what was cut off
     std::vector<ParameterStore::Entry> m_before; ///< in table order, of the backup
     const std::size_t m_trusted;                 ///< the first of the visit's steps that are known to be of this unit
+    std::vector<ParameterIndex> m_later;         ///< written, and neither in force nor told before its next power cycle
     bool m_wrote = false;
     std::optional<Error> m_journalError;
 };

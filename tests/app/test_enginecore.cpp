@@ -361,6 +361,29 @@ TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
     EXPECT_TRUE(device(7)->gate().busy().empty());
 }
 
+TEST_F(Core, AUnitThatAnotherMasterDrivesIsNeitherUpdatedNorStopped)
+{
+    open("sim:can");
+    const auto other = core.session().bench(*core.session().links().front())->hostLink();
+    ASSERT_TRUE(other->open());
+    auto &master = dynamic_cast<CanLink &>(*other);
+    int ours = 0;
+    const Subscription heard
+        = master.received().add([&ours](const CanFrame &frame) { ours += frame.id == 0x02060007U ? 1 : 0; });
+    Timer timer(clock);
+    std::function<void()> holding = [&] {
+        ASSERT_TRUE(master.send(*canFrameFromText("02060007#0000000000000000"))); // duty 0
+        timer.startIn(20ms, holding);
+    };
+    test::Heard<> answered;
+    core.send(orders::UpdateFirmware{id(7), std::make_shared<FirmwareImage>(), {}}, into(answered));
+    timer.startIn(10ms, holding); // a window that asked before it was heard
+    ASSERT_TRUE(clock.runUntil([&] { return answered.has_value(); }, 30s));
+    ASSERT_FALSE(*answered);
+    EXPECT_EQ(answered->error().fault, Fault::Unsafe) << answered->error().text();
+    EXPECT_EQ(ours, 0);
+}
+
 TEST_F(Core, TheLogTellsWhoWasFoundAndWhoFellSilent)
 {
     open("sim:can");

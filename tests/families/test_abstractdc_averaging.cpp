@@ -51,6 +51,23 @@ TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST_F(AbstractDcController, OfTheAveragingOfADriveThatStandsInThePlaceOfAnotherNothingIsKnown)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
+    ASSERT_TRUE(write("current.averaging", 50));
+    device->exchanged();
+    EXPECT_FALSE(device->mayMove()) << "nothing proves that it was switched off";
+    powerCycle(drive, 500ms);
+    ASSERT_TRUE(write("current.averaging", 50));
+    ASSERT_TRUE(device->mayMove()) << "it had that";
+    device->exchanged();
+    EXPECT_FALSE(device->parameters().entry(*findParameter(device->parameters().table(), "current.averaging")).raw);
+    ASSERT_TRUE(write("current.averaging", 50));
+    EXPECT_FALSE(device->mayMove()) << "another one may have had more";
+}
+
 TEST_F(AbstractDcController, ThatAPowerCycleIsOwedIsSaidAsLongAsItIs)
 {
     const auto faults = [this] { return device->liveness().faults; };

@@ -348,20 +348,6 @@ TEST_F(AbstractDcUpdate, ADryRunStartsNothing)
     EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
 }
 
-TEST_F(AbstractDcUpdate, RefusesWhileItsMotorMoves)
-{
-    standIn("touch '" + folder.path().toStdString() + "/ran'\n" + replay(success, 0));
-    SetPoint turn;
-    turn.mode = Mode::Duty;
-    turn.target = 0.5;
-    ASSERT_TRUE(device->command(turn));
-    ASSERT_TRUE(loop.runUntil([&] { return device->liveness().moving; }));
-    const auto refused = update(by("openocd:stlink"));
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
-    EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
-}
-
 TEST_F(AbstractDcUpdate, RefusesToEraseTheSettingsThatItsImageWrites)
 {
     standIn("touch '" + folder.path().toStdString() + "/ran'\n" + replay(success, 0));

@@ -76,6 +76,22 @@ TEST_F(UnitsByPlace, GainsThatCannotBeReadAreWrittenToTheNextUnitInThePlaceToo)
     EXPECT_EQ(saved, (std::vector<std::size_t>{0, 1})) << "each has them in its flash";
 }
 
+TEST_F(UnitsByPlace, WhatIsKnownOfOneIsNotTakenForTheNext)
+{
+    UnitRack rack({"abstractdc:3", "abstractdc:3"});
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, driveRecipe, driveGains), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    ASSERT_EQ(rack.session->devices().size(), 1U);
+    rack.session->devices().front()->knowledge().setCounter("saves.velocity", 50);
+    exchangeFor(rack, 1);
+    ASSERT_TRUE(waitFor(rack, run, 2));
+    const Visit next = books->visits().back();
+    EXPECT_EQ(next.outcome, Outcome::Passed) << next.cause.english();
+    EXPECT_NE(next.evidence.english().find("has 0 values"), std::string::npos) << next.evidence.english();
+}
+
 const QByteArray nodeRecipe = R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":10}})";
 
 TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
@@ -94,6 +110,68 @@ TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
     for (const Visit &visit : visits)
         EXPECT_NE(visit.evidence.english().find("its number holds from its next power cycle on"), std::string::npos)
             << visit.evidence.english();
+}
+
+/// A look at an empty line of unknown rate takes 20 s, and asks nobody twice.
+TEST_F(UnitsByPlace, WhoeverStandsWhereOneWasGoneForFiveSecondsIsTheNext)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified"})"), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    rack.clock.advance(10s);
+    rack.putOn(std::nullopt);
+    rack.clock.advance(5s);
+    EXPECT_EQ(run.queue.counts().ended(), 1);
+    rack.putOn(1);
+    EXPECT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().ended() == 2; }, 10s));
+}
+
+TEST_F(UnitsByPlace, AUnitThatWasSilentForAMomentIsNotServedAgain)
+{
+    UnitRack rack({"supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified"})"), units(2));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    for (int i = 0; i < 30; ++i) { // whatever the look does then
+        rack.clock.advance(3s + i * 100ms);
+        rack.putOn(std::nullopt);
+        rack.clock.advance(1500ms);
+        rack.putOn(0);
+    }
+    rack.clock.advance(1min);
+    EXPECT_EQ(run.queue.counts().ended(), 1);
+}
+
+TEST_F(UnitsByPlace, AUnitWhoseLinkWasLostIsNotServedAgain)
+{
+    UnitRack rack({"supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified"})"), units(0));
+    run.queue.start();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    rack.clock.advance(5s);
+    rack.link->close();
+    rack.clock.advance(10s);
+    ASSERT_FALSE(run.queue.isRunning());
+    ASSERT_TRUE(rack.link->open());
+    rack.clock.advance(10s);
+    run.queue.start();
+    rack.clock.advance(30s);
+    EXPECT_EQ(books->visits().size(), 1U);
+}
+
+TEST_F(UnitsByPlace, ALookAtAnEmptyLineDoesNotKeepTheQueueFromEnding)
+{
+    UnitRack rack({"supermodified:4"}, "sim:serial");
+    rack.putOn(std::nullopt);
+    QueueRun run(rack, *books, load(rack, nodeRecipe), units(0));
+    run.queue.start();
+    rack.clock.advance(5s);
+    run.queue.finish();
+    EXPECT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 1s));
 }
 
 TEST_F(UnitsByPlace, AUnitThatComesBackUnderItsNewNumberIsNotServedAgain)

@@ -143,6 +143,55 @@ TEST_F(ProvedQueues, AUnitThatDoesNotOfferASettingOfTheRecipeIsRefusedWithItsNam
     }
 }
 
+TEST_F(ProvedQueues, ASettingThatActsAfterAPowerCycleIsNotTakenForAMistake)
+{
+    for (const char *const setting :
+        {R"("limit.current.duration":{"raw":300})", R"("uart.baud":{"raw":19200})", R"("node.mask":{"raw":127})"}) {
+        UnitRack rack({"supermodified:4,dialect=D1"}, "sim:serial");
+        const RecipeMatter matter = load(rack,
+            R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":10},
+"parameters":{"file":"base.json"}})",
+            QByteArray(R"({"family":"supermodified","parameters":{"gain.p":{"raw":1100},)") + setting + "}}");
+        QueueRun run(rack, *books, matter);
+        ASSERT_TRUE(run.run());
+        rack.unit(0).setPowered(false);
+        rack.clock.advance(10s);
+        rack.unit(0).setPowered(true);
+        rack.clock.advance(10s);
+        QueueRun again(rack, *books, matter);
+        ASSERT_TRUE(again.run());
+        const auto visits = books->visits();
+        ASSERT_EQ(visits.size(), 2U) << setting;
+        EXPECT_EQ(visits[0].outcome, Outcome::Passed) << told(visits[0]);
+        EXPECT_NE(visits[0].evidence.english().find(
+                      "1 setting holds from its next power cycle on, and nothing proves it before"),
+            std::string::npos)
+            << told(visits[0]);
+        EXPECT_EQ(visits[0].parameters, 1) << "the other one was not read back";
+        EXPECT_EQ(visits[1].outcome, Outcome::Passed) << told(visits[1]);
+        EXPECT_NE(visits[1].evidence.english().find("0 of 2 settings written"), std::string::npos) << told(visits[1]);
+        EXPECT_EQ(visits[1].parameters, 2);
+    }
+}
+
+TEST_F(ProvedQueues, SettingsThatAreLostWithThePowerAreSaidToBe)
+{
+    for (const char *const store : {"false", "true"}) {
+        UnitRack rack({"abstractdc:3"});
+        const RecipeMatter matter = load(rack,
+            QByteArray(R"({"recipe":1,"name":"p","family":"abstractdc","parameters":{"file":"base.json","store":)")
+                + store + "}}",
+            R"({"family":"abstractdc","parameters":{"velocity.p":{"raw":77},"velocity.i":{"raw":5}}})");
+        QueueRun run(rack, *books, matter);
+        ASSERT_TRUE(run.run());
+        const Visit visit = books->visits().front();
+        EXPECT_EQ(visit.outcome, Outcome::Passed) << told(visit);
+        EXPECT_EQ(visit.evidence.english().find("2 settings are lost with its power") != std::string::npos,
+            std::string_view(store) == "false")
+            << told(visit);
+    }
+}
+
 const QByteArray numbersRecipe = R"({"recipe":1,"name":"numbers","family":"dmc60c","number":{"first":10}})";
 
 TEST_F(ProvedQueues, TwoUnitsOfOneSerialNumberAreBothRefusedAndTheThirdIsServed)

@@ -14,6 +14,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include <utility>
+
 namespace mb::service {
 namespace {
 
@@ -197,6 +199,37 @@ TEST(Recipes, KnowWhatAFamilyCannotDo)
 "accept":{"friction":0.5}}})");
     ASSERT_FALSE(no);
     EXPECT_EQ(no.error().detail.english().substr(0, 7), "line 3:");
+    const auto keeps = parse(R"({"recipe":1,"name":"n","family":"quadquad2drv",
+"parameters":{"file":"a.json","store":true}})");
+    ASSERT_FALSE(keeps);
+    EXPECT_EQ(keeps.error().text(),
+        "line 2: a quadquad2drv keeps no setting without power; leave 'store' out: its settings are lost with its "
+        "power");
+}
+
+TEST(Recipes, WhatMustBeSwitchedOffBeforeItMayBeDrivenIsNotTestedInOneGo)
+{
+    const QTemporaryDir folder;
+    const auto load = [&folder](const char *averaging, const char *test) {
+        for (const auto &[name, text] :
+            {std::pair(QStringLiteral("p.json"),
+                 QByteArray(R"({"family":"abstractdc","parameters":{"current.averaging":{"raw":)") + averaging + "}}}"),
+                std::pair(QStringLiteral("r.json"),
+                    QByteArray(R"({"recipe":1,"name":"r","family":"abstractdc","parameters":{"file":"p.json"})") + test
+                        + "}")}) {
+            QFile file(folder.filePath(name));
+            EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        }
+        return loadRecipe(folder.filePath(QStringLiteral("r.json")).toStdString(), families());
+    };
+    const char *const test = R"(,"test":{"loop":"velocity","to":2000,"time":0.5})";
+    EXPECT_TRUE(load("300", ""));
+    const auto most = load("500", test);
+    EXPECT_TRUE(most) << most.error().text();
+    const auto refused = load("300", test);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_NE(refused.error().text().find("current.averaging"), std::string::npos) << refused.error().text();
 }
 
 Visit passedWith(const std::string &unit, double settle)

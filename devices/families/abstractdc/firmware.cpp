@@ -116,12 +116,10 @@ Task<Attempt> program(
     co_return Attempt{std::move(reading), std::move(error)};
 }
 
-Result<void> preflight(const Device &device, const FirmwareImage &image, const UpdateOptions &options)
+Result<void> preflight(const FirmwareImage &image, const UpdateOptions &options)
 {
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
-    if (device.liveness().moving)
-        return fail(Fault::Unsafe, say("its motor moves"), say("stop it first"));
     if (options.eraseSettings && touchesSettings(image))
         return fail(
             Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));
@@ -163,7 +161,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     auto job = openocd::jobOf(options.via, options.target);
     if (!job)
         co_return fail(job.error());
-    if (auto ready = preflight(device, image, options); !ready)
+    if (auto ready = preflight(image, options); !ready)
         co_return fail(ready.error());
     const auto summary = inspect(image);
     UpdateReport report;

@@ -208,9 +208,9 @@ Task<bool> SettingsDesk::store(Progress &progress)
     co_return false;
 }
 
-void SettingsDesk::replaced(bool blank)
+void SettingsDesk::replaced(bool fresh)
 {
-    if (blank) {
+    if (fresh) {
         for (const Loop loop : loops)
             m_count(counterOf(loop), 0);
     }

@@ -24,8 +24,8 @@ public:
     [[nodiscard]] Task<std::int64_t> write(const Parameter &parameter, std::int64_t raw);
     /// Saves the loops that were written since their last save; Device::store().
     [[nodiscard]] Task<bool> store(Progress &progress);
-    /// The settings pages are blank, or hold what this program did not write.
-    void replaced(bool blank);
+    /// The settings pages are blank, or another drive's (`fresh`), or hold what this program did not write.
+    void replaced(bool fresh);
     /// Somebody wrote it, and it is not in flash.
     void written(ParameterIndex index, std::int64_t raw);
     /// Somebody else saved this loop.

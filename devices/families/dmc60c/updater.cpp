@@ -52,7 +52,7 @@ UpdateReport Updater::failed(const Error &error) const
 
 Task<UpdateReport> Updater::run(UpdateOptions options)
 {
-    auto checking = preflight(options.force);
+    auto checking = preflight(options);
     const Result<void> checked = co_await std::move(checking).attempt();
     if (!checked)
         co_return failed(checked.error());
@@ -90,12 +90,13 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
     co_return m_report;
 }
 
-Task<void> Updater::preflight(bool force)
+Task<void> Updater::preflight(UpdateOptions options)
 {
     for (const Message &note : m_application.notes)
         m_progress.log(Severity::Info, note);
     m_progress.step(say("Preflight"), 0, 0);
-    m_device.stop();
+    if (!options.dryRun)
+        m_device.stop();
     auto finding = m_contact.findAgain(1s);
     const UpdateContact::Unit unit = co_await std::move(finding);
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
@@ -116,7 +117,7 @@ Task<void> Updater::preflight(bool force)
             : say("image %1 of %2 pages, unit runs %3, bootloader %4", version, pages, m_report.from, bootloader));
     m_inBootloader = isInBootloader(now);
     m_runs = !m_inBootloader;
-    m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
+    m_upToDate = !options.force && !isInBootloader(now) && now.application == m_application.version;
     for (int number = lastPage; number >= firstPage; --number)
         m_progress.part(number, PartState::Absent);
     for (const Page &page : m_application.pages)

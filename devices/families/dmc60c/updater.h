@@ -20,7 +20,7 @@ public:
     [[nodiscard]] Task<UpdateReport> run(UpdateOptions options);
 
 private:
-    [[nodiscard]] Task<void> preflight(bool force);
+    [[nodiscard]] Task<void> preflight(UpdateOptions options);
     /// A restart takes what is not in flash yet.
     [[nodiscard]] Task<void> keepParameters();
     [[nodiscard]] Task<void> enterBootloader();

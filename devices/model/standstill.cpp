@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/standstill.h"
+
+#include "async/sleep.h"
+
+namespace mb {
+namespace {
+constexpr Duration masterListen = std::chrono::milliseconds(150); // another master sends at least this often
+} // namespace
+
+Task<void> standsStill(Device &device)
+{
+    if (device.identity().state == DeviceState::Bootloader)
+        co_return {};
+    Sleep listening(device.clock(), masterListen);
+    co_await listening;
+    if (device.liveness().foreignMaster)
+        co_return fail(
+            Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));
+    if (device.liveness().moving)
+        co_return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));
+    co_return {};
+}
+
+} // namespace mb

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/task.h"
+#include "model/device.h"
+
+namespace mb {
+
+/// Listens long enough to hear another master: Unsafe where one drives the device, or its motor moves. To be asked before a device
+/// is served or gets other firmware, which takes its motor away; in its bootloader it drives none. Sends nothing. Engine thread.
+[[nodiscard]] Task<void> standsStill(Device &device);
+
+} // namespace mb
