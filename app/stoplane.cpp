@@ -4,6 +4,9 @@
 #include "app/guardian/client/wirescript.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -32,61 +35,65 @@ bool StopOutlet::serves(const Link &link, const Outlet &way) const
     return m_link == &link && m_descriptor == way.descriptor;
 }
 
-bool StopOutlet::send(const guardian::Bytes &message)
+guardian::Port::Sent StopOutlet::send(std::span<const std::uint8_t> message)
 {
-    return m_aside ? m_aside(message) : m_port->send(message) != guardian::Port::Sent::Later;
+    if (message.empty()) // only a pause
+        return Sent::All;
+    if (m_aside)
+        return m_aside(message) ? Sent::All : Sent::Later;
+    return m_port->send(message);
+}
+
+void StopOutlet::forget()
+{
+    if (m_port)
+        m_port->forget();
 }
 
 void StopLane::press(StopCause cause)
 {
-    m_courses.clear();
-    for (const StopOrders &orders : m_orders)
-        m_courses.push_back({orders.outlet, cause == StopCause::User ? orders.steps : orders.own});
+    constexpr std::chrono::hours untilServed{24}; // a line that takes nothing is tried
+    served();
+    const guardian::Time begin = m_clock.now().time_since_epoch() + patience;
+    for (const StopOrders &orders : m_orders) {
+        m_courses.push_back({orders.outlet});
+        for (const guardian::Script &script : cause == StopCause::User ? orders.scripts : orders.own)
+            m_courses.back().runner.add(0, script, begin, untilServed);
+    }
     m_due.startIn(patience, [this] { proceed(); });
 }
 
 void StopLane::served()
 {
     m_due.stop();
+    for (Course &course : m_courses)
+        course.outlet->forget();
     m_courses.clear();
 }
 
 void StopLane::proceed()
 {
+    std::optional<guardian::Time> next;
     for (Course &course : m_courses) {
-        if (course.notBefore <= m_clock.now())
-            proceed(course);
+        (void)course.runner.proceed(m_clock.now().time_since_epoch());
+        if (const auto due = course.runner.due(); due && (!next || *due < *next))
+            next = due;
     }
-    std::erase_if(m_courses, [](const Course &course) { return course.next == course.steps.size(); });
-    const auto next = std::ranges::min_element(
-        m_courses, [](const Course &a, const Course &b) { return a.notBefore < b.notBefore; });
-    if (next != m_courses.end())
-        m_due.start(next->notBefore, [this] { proceed(); });
+    if (next)
+        m_due.start(Instant(*next), [this] { proceed(); });
 }
 
-/// As far as the line takes it. Its end is where no step wants another round.
-void StopLane::proceed(Course &course)
+std::vector<guardian::Script> laneScripts(const StopScript &script, Outlet::Form form)
 {
-    const guardian::Script &steps = course.steps;
-    std::chrono::milliseconds rest{0};
-    for (; course.next < steps.size(); ++course.next) {
-        const guardian::Step &step = steps[course.next];
-        if (step.attempts <= course.round || step.bytes.empty())
-            continue;
-        if (!course.outlet->send(step.bytes)) {
-            course.notBefore = m_clock.now() + std::chrono::milliseconds(1);
-            return;
-        }
+    guardian::Script steps = wireScript(script, form);
+    if (form == Outlet::Form::Stream)
+        return {std::move(steps)};
+    std::vector<guardian::Script> each;
+    for (guardian::Step &step : steps) {
+        step.reply.clear();
+        each.emplace_back(1, std::move(step));
     }
-    ++course.round;
-    for (const guardian::Step &step : steps) {
-        if (step.attempts > course.round && !step.bytes.empty())
-            rest = std::max(rest, step.wait);
-    }
-    if (rest.count() == 0)
-        return;
-    course.next = 0;
-    course.notBefore = m_clock.now() + rest;
+    return each;
 }
 
 std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<StopOrders> &known)
@@ -100,10 +107,10 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
         for (Device *device : session.devices()) {
             if (&device->link() != link || !device->mayStop())
                 continue;
-            for (guardian::Step &step : wireScript(device->stopScript(), way.form)) {
+            for (guardian::Script &script : laneScripts(device->stopScript(), way.form)) {
                 if (device->stopping().hasMoved())
-                    orders.own.push_back(step);
-                orders.steps.push_back(std::move(step));
+                    orders.own.push_back(script);
+                orders.scripts.push_back(std::move(script));
             }
         }
         const auto served

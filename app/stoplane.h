@@ -4,23 +4,25 @@
 #include "app/guardian/port.h"
 #include "model/session.h"
 
+#include <chrono>
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace mb {
 
 /// One open link, as a thread that does not own it can send stops on it: by a duplicate of its descriptor, or by what the link
-/// gives away for that (Outlet::aside).
-class StopOutlet {
+/// gives away for that (Outlet::aside). Answers are the engine's: nothing is read.
+class StopOutlet final : public guardian::Port {
 public:
     StopOutlet(const Link &link, const Outlet &way);
-    StopOutlet(const StopOutlet &) = delete;
-    StopOutlet &operator=(const StopOutlet &) = delete;
-    ~StopOutlet();
+    ~StopOutlet() override;
 
     [[nodiscard]] bool serves(const Link &link, const Outlet &way) const;
-    /// Waits for nothing. False: the line does not take it now; the same again then.
-    [[nodiscard]] bool send(const guardian::Bytes &message);
+    Sent send(std::span<const std::uint8_t> message) override;
+    guardian::Bytes read() override { return {}; }
+    void forget() override;
 
 private:
     const Link *m_link;
@@ -30,16 +32,21 @@ private:
     std::function<bool(std::span<const std::uint8_t>)> m_aside;
 };
 
-/// What is to be sent on one link. Nobody reads answers: a step that may need several attempts is sent that often.
+/// How the stop of one device is sent without its answers: whole on a terminal, where a message may fall into an answer; elsewhere
+/// no step waits for another.
+[[nodiscard]] std::vector<guardian::Script> laneScripts(const StopScript &script, Outlet::Form form);
+
+/// What is to be sent on one link: laneScripts() of its devices.
 struct StopOrders {
     std::shared_ptr<StopOutlet> outlet;
-    guardian::Script steps;
-    guardian::Script own{}; ///< those of devices that this program has moved
+    std::vector<guardian::Script> scripts;
+    std::vector<guardian::Script> own{}; ///< those of devices that this program has moved
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
-/// here. The engine sends them again, properly, once it can, and drives nothing before that (MotionGate::setStopGate). Lives in one
-/// thread (StopThread) and knows it not, so that tests drive it in virtual time.
+/// here, as a guardian sends them, but for answers: each step as often as it may need, with the time for an answer between, in which
+/// a half-duplex line is left to the device. The engine sends them again, properly, once it can, and drives nothing before that
+/// (MotionGate::setStopGate). Lives in one thread (StopThread) and knows it not, so that tests drive it in virtual time.
 ///
 /// Left out are simulated links: their bus, their motors and their time live in the engine thread, and stand while it does.
 class StopLane {
@@ -58,17 +65,13 @@ public:
     void setOrders(std::vector<StopOrders> orders) { m_orders = std::move(orders); }
 
 private:
-    /// One link on its way through all steps, as often as the one with the most attempts wants.
+    /// One link on its way through its scripts.
     struct Course {
         std::shared_ptr<StopOutlet> outlet;
-        guardian::Script steps;
-        int round = 0;
-        std::size_t next = 0;
-        Instant notBefore{};
+        guardian::Runner runner{*outlet};
     };
 
     void proceed();
-    void proceed(Course &course);
 
     Clock &m_clock;
     std::vector<StopOrders> m_orders;

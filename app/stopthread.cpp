@@ -49,7 +49,7 @@ void StopThread::follow(const Session &session)
     std::vector<StopOrders> now = stopOrdersOf(session, m_known);
     const bool same = now.size() == m_known.size()
         && std::equal(now.begin(), now.end(), m_known.begin(), [](const StopOrders &a, const StopOrders &b) {
-               return a.outlet == b.outlet && a.steps == b.steps && a.own == b.own;
+               return a.outlet == b.outlet && a.scripts == b.scripts && a.own == b.own;
            });
     if (same)
         return;

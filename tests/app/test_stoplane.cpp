@@ -2,6 +2,7 @@
 // STOP while the engine thread is blocked: the lane in virtual time, and the real engine on a real terminal.
 #include "app/engine.h"
 #include "async/virtualclock.h"
+#include "families/supermodifiedbench.h"
 #include "model/registry.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <future>
 
 #include <poll.h>
@@ -29,18 +31,23 @@ protected:
             if (room == 0)
                 return false;
             --room;
+            times.push_back(clock.now() - pressed);
             sent.emplace_back(bytes.begin(), bytes.end());
             return true;
         };
         outlet = std::make_shared<StopOutlet>(*bus.links().front(), way);
-        lane.setOrders({{outlet, {{{1, 2}, {}, {}, 20ms, 1}, {{3}, {}, {}, 20ms, 1}}}});
+        lane.setOrders({{outlet, {first, second}}});
     }
+    const guardian::Script first{{{1, 2}, {}, {}, 20ms, 1}}; ///< of one device each
+    const guardian::Script second{{{3}, {}, {}, 20ms, 1}};
     VirtualClock clock;
     Session bus{clock, families()};
     StopLane lane{clock};
     std::shared_ptr<StopOutlet> outlet;
     int room = 1000; ///< messages that the line takes
     std::vector<guardian::Bytes> sent;
+    Instant pressed{};
+    std::vector<Duration> times; ///< of each, since then
     const std::vector<guardian::Bytes> all{{1, 2}, {3}};
 };
 
@@ -86,7 +93,7 @@ TEST_F(Lane, GoesOnWhereALineThatWasFullHasRoomAgain)
 
 TEST_F(Lane, SendsAStopThatMayBeRefusedAsOftenAsItsScriptSays)
 {
-    lane.setOrders({{outlet, {{{1, 2}, {9}, {}, 20ms, 3}, {{3}, {}, {}, 20ms, 1}}}});
+    lane.setOrders({{outlet, {{{{1, 2}, {}, {}, 20ms, 3}}, second}}});
     lane.press();
     clock.advance(24ms);
     EXPECT_EQ(sent, all);
@@ -94,9 +101,36 @@ TEST_F(Lane, SendsAStopThatMayBeRefusedAsOftenAsItsScriptSays)
     EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{1, 2}, {3}, {1, 2}, {1, 2}}));
 }
 
+TEST_F(Lane, LeavesEachNodeOfALineWithOneWireTheTimeToAnswer)
+{
+    const guardian::Step pause{{}, {}, {}, 6ms, 1};
+    const auto stopOf = [](std::uint8_t node) { return guardian::Step{{node}, {9}, {0xFF}, 27ms, 3}; };
+    lane.setOrders({{outlet, {{pause, stopOf(4)}, {pause, stopOf(5)}}}});
+    pressed = clock.now();
+    lane.press();
+    clock.advance(10s);
+    EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{4}, {5}, {4}, {5}, {4}, {5}})) << "they take turns";
+    EXPECT_EQ(times, (std::vector<Duration>{11ms, 38ms, 65ms, 92ms, 119ms, 146ms}));
+}
+
+TEST_F(Lane, KeepsNoStepWaitingWhereNothingFallsIntoAnAnswer)
+{
+    const auto step = [](std::uint32_t id, int attempts) {
+        return StopStep{standardFrame(id, {}), {}, {}, {}, 10ms, attempts, standardFrame(9, {})};
+    };
+    lane.setOrders({{outlet, laneScripts({{step(1, 2), step(2, 2), step(3, 1)}}, Outlet::Form::CanSocket)}});
+    pressed = clock.now();
+    lane.press();
+    clock.advance(10s);
+    EXPECT_EQ(times, (std::vector<Duration>{5ms, 5ms, 5ms, 15ms, 15ms}));
+    ASSERT_EQ(sent.size(), 5U);
+    EXPECT_EQ(sent[3], sent[0]);
+    EXPECT_EQ(sent[4], sent[1]);
+}
+
 TEST_F(Lane, EndsOnceTheEngineHasComeToIt)
 {
-    lane.setOrders({{outlet, {{{1, 2}, {9}, {}, 20ms, 100}}}});
+    lane.setOrders({{outlet, {{{{1, 2}, {9}, {0xFF}, 20ms, 100}}}}});
     lane.press();
     clock.advance(30ms);
     lane.served();
@@ -106,10 +140,49 @@ TEST_F(Lane, EndsOnceTheEngineHasComeToIt)
 
 TEST_F(Lane, ByTheProgramSendsOnlyWhatStopsThatWhichItHasMoved)
 {
-    lane.setOrders({{outlet, {{{1, 2}, {}, {}, 20ms, 1}, {{3}, {}, {}, 20ms, 1}}, {{{3}, {}, {}, 20ms, 1}}}});
+    lane.setOrders({{outlet, {first, second}, {second}}});
     lane.press(StopCause::Program);
     clock.advance(10s);
     EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{3}}));
+}
+
+/// With its own bytes in the answers that it asks for it would hang the nodes that run, and stop none behind the first.
+TEST(LaneOnOneWire, StopsEveryNodeOfALine)
+{
+    supermodified::test::Bench bench;
+    std::vector<Simulator *> nodes;
+    std::vector<Subscription> events;
+    std::vector<guardian::Script> scripts;
+    std::string crashed;
+    for (const int id : {4, 5}) {
+        nodes.push_back(&bench.add("supermodified:" + std::to_string(id) + ",dialect=D1"));
+        events.push_back(nodes.back()->events().add([&crashed, id](const SimulatorEvent &event) {
+            if (event.what == "crashed")
+                crashed += std::to_string(id);
+        }));
+    }
+    {
+        const std::array devices{bench.connect(4), bench.connect(5)};
+        for (const auto &device : devices) {
+            ASSERT_TRUE(device->command(supermodified::test::setPoint(Mode::Velocity, 1000.0)));
+            bench.clock.advance(500ms);
+        }
+        ASSERT_TRUE(nodes[0]->isOutputOn() && nodes[1]->isOutputOn());
+        for (const auto &device : devices)
+            scripts.push_back(laneScripts(device->stopScript(), Outlet::Form::Stream).front());
+        bench.host.close(); // the engine hangs, and sends nothing any more
+    }
+    ASSERT_TRUE(bench.host.open());
+    Outlet way{Outlet::Form::Stream, 0};
+    way.aside = [&bench](std::span<const std::uint8_t> bytes) { return bench.host.send(bytes).has_value(); };
+    StopLane lane(bench.clock);
+    lane.setOrders({{std::make_shared<StopOutlet>(bench.host, way), scripts}});
+    lane.press();
+    bench.clock.advance(20ms);
+    EXPECT_FALSE(nodes[0]->isOutputOn());
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(nodes[1]->isOutputOn());
+    EXPECT_EQ(crashed, "");
 }
 
 TEST_F(Lane, LeavesOutLinksWhoseMotorsStandWithTheEngine)
