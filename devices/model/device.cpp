@@ -115,12 +115,6 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     co_return inForce;
 }
 
-void Device::exchanged()
-{
-    m_knowledge.settingsLost();
-    doExchanged();
-}
-
 Result<void> Device::mayMove() const
 {
     if (!m_gate.busy().empty())

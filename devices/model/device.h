@@ -64,10 +64,6 @@ public:
     [[nodiscard]] DeviceKnowledge &knowledge() { return m_knowledge; }
     [[nodiscard]] const DeviceKnowledge &knowledge() const { return m_knowledge; }
 
-    /// Another unit may stand in its place now, of which nothing is known but what its user knows: what was written to the one
-    /// before, and counted of it, tells nothing of this one. What the one before owes stands: it is not proved that it is gone.
-    void exchanged();
-
     /// What of this program stands before a motion.
     [[nodiscard]] MotionGate &gate() { return m_gate; }
     [[nodiscard]] const MotionGate &gate() const { return m_gate; }

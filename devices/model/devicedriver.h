@@ -66,8 +66,6 @@ protected:
     [[nodiscard]] virtual Result<void> doMayMove() const { return {}; }
     /// Calibration or dialect are others.
     virtual void doProfileChanged() { }
-    /// What the family itself keeps of the unit that was there; its settings are forgotten already.
-    virtual void doExchanged() { }
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
     virtual Result<void> doReleaseMoves();
     virtual void doStop() = 0;

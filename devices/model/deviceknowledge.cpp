@@ -150,6 +150,12 @@ void DeviceKnowledge::settingsLost()
     m_changed.notify();
 }
 
+void DeviceKnowledge::unitExchanged()
+{
+    settingsLost();
+    m_exchanged.notify();
+}
+
 void DeviceKnowledge::setCounters(const std::map<std::string, std::int64_t> &values)
 {
     for (const auto &[key, value] : values)

@@ -69,14 +69,18 @@ public:
     [[nodiscard]] UnsettledWrite writing(ParameterIndex index) { return {m_self, index}; }
     /// For devices that keep nothing: something was written that is believed to be in force.
     [[nodiscard]] bool holdsSettings() const { return m_profile->lost.size() < m_profile->written.size(); }
-    /// A reset of such a device was noticed, or another one may stand in the place of any. Everything is unknown, what was written is
-    /// lost until it is written again.
+    /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
     void settingsLost();
+    /// Another unit may stand in its place now, of which nothing is known but what its user knows: what was written to the one before,
+    /// and counted of it, tells nothing of this one. What the one before owes stands: it is not proved that it is gone.
+    void unitExchanged();
 
     /// Of what a scan has found, what is shown: with the dialect that was proven before or that the user chose, and what that means.
     [[nodiscard]] Identity probed(Identity identity);
     [[nodiscard]] Identity shown(Identity identity) const;
 
+    /// Of unitExchanged(): for what a family itself keeps of the one before.
+    [[nodiscard]] Listeners<> &exchanged() { return m_exchanged; }
     /// The profile is to be kept.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     /// Calibration or dialect are others.
@@ -90,6 +94,7 @@ private:
     Message m_probedDetail;
     Listeners<> m_changed;
     Listeners<> m_applied;
+    Listeners<> m_exchanged;
     std::shared_ptr<DeviceKnowledge *> m_self = std::make_shared<DeviceKnowledge *>(this); ///< for what may outlive it
 };
 

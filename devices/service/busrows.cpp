@@ -134,7 +134,7 @@ BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
 void BusRows::addRow(Device &device, const std::string &unit)
 {
     if (isExchanged(unit))
-        device.exchanged();
+        device.knowledge().unitExchanged();
     Row &row = m_rows.emplace_back();
     row.seen = true;
     follow(row, device);

@@ -57,12 +57,12 @@ TEST_F(AbstractDcController, OfTheAveragingOfADriveThatStandsInThePlaceOfAnother
     open(3, &dialectF);
     ASSERT_TRUE(turnsAwayFromZero());
     ASSERT_TRUE(write("current.averaging", 50));
-    device->exchanged();
+    device->knowledge().unitExchanged();
     EXPECT_FALSE(device->mayMove()) << "nothing proves that it was switched off";
     powerCycle(drive, 500ms);
     ASSERT_TRUE(write("current.averaging", 50));
     ASSERT_TRUE(device->mayMove()) << "it had that";
-    device->exchanged();
+    device->knowledge().unitExchanged();
     EXPECT_FALSE(device->parameters().entry(*findParameter(device->parameters().table(), "current.averaging")).raw);
     ASSERT_TRUE(write("current.averaging", 50));
     EXPECT_FALSE(device->mayMove()) << "another one may have had more";

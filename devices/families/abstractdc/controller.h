@@ -40,7 +40,6 @@ private:
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
     void doProfileChanged() override;
-    void doExchanged() override { m_desk.replaced(true); }
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;

@@ -46,6 +46,7 @@ SettingsDesk::SettingsDesk(Device &device, CanLink &link, const LogSense &logs, 
     , m_logs(logs)
     , m_debt(debt)
     , m_count(std::move(count))
+    , m_exchanged(device.knowledge().exchanged().add([this] { replaced(true); }))
 {
 }
 

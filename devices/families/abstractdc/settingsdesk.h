@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/listeners.h"
 #include "families/abstractdc/logsense.h"
 #include "families/abstractdc/powercycledebt.h"
 
@@ -56,6 +57,7 @@ private:
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
     std::optional<std::int64_t> m_averaging; ///< written last, by anybody, since this run began
+    Subscription m_exchanged;
 };
 
 } // namespace mb::abstractdc
