@@ -93,6 +93,7 @@ void Trials::carryOut(const orders::RunExperiment &order, const Finished &finish
     SetPointStream &stream = m_context.session.stream(*device);
     if (stream.isRunning())
         return finished(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
+    stream.renew(); // by this order
     m_context.operations.begin(
         order.device, {Message::label(found->title), OperationKind::FamilyExperiment},
         [&stream, &experiment = *found, options = order.options](
@@ -112,6 +113,7 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
     Operations::Job *const job = m_context.operations.begin<T>(
         id, {story.title, OperationKind::Trial},
         [this, id, run = story.run, interruption](Device &device, Progress &progress) {
+            m_context.session.stream(device).renew(); // by this order
             return keeping(
                 interruption, run(device, m_context.session.stream(device), surroundings(id, progress, *interruption)));
         },

@@ -8,27 +8,37 @@ namespace mb {
 /// Something that ends unless it is renewed in time: the motion lease of docs/architecture.md#motion-lease.
 class Lease {
 public:
-    Lease(Clock &clock, Duration term, std::function<void()> expired)
+    Lease(Clock &clock, std::function<void()> expired)
         : m_clock(clock)
-        , m_term(term)
         , m_expired(std::move(expired))
         , m_timer(clock)
     {
-        renew();
     }
+    /// It counts while nothing is held, too.
     void renew()
     {
-        m_timer.start(m_clock.now() + m_term, [this] {
+        m_renewedAt = m_clock.now();
+        if (m_timer.isActive())
+            hold(m_term);
+    }
+    /// The last renewal is so long ago that one of this term would be over.
+    [[nodiscard]] bool isOver(Duration term) const { return m_clock.now() >= m_renewedAt + term; }
+    /// From now on it expires a term after the last renewal.
+    void hold(Duration term)
+    {
+        m_term = term;
+        m_timer.start(m_renewedAt + term, [this] {
             const auto expired = m_expired; // the callback may destroy the lease
             expired();
         });
     }
-    [[nodiscard]] Duration term() const { return m_term; }
+    void release() { m_timer.stop(); }
 
 private:
     Clock &m_clock;
-    Duration m_term;
     std::function<void()> m_expired;
+    Duration m_term{};
+    Instant m_renewedAt = Instant::min();
     Timer m_timer;
 };
 

@@ -2,6 +2,7 @@
 #include "experiment/direction.h"
 
 #include "async/sleep.h"
+#include "experiment/envelope.h"
 #include "experiment/experimentplan.h"
 #include "model/axis.h"
 #include "model/family.h"
@@ -35,7 +36,7 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
     double enough, Duration limit)
 {
     const double before = recorder.latest("position").value_or(0.0);
-    if (auto started = stream.start(setPoint, experimentLease); !started)
+    if (auto started = stream.start(setPoint, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
     const Instant end = device.clock().now() + limit;
     double moved = 0.0;
@@ -51,7 +52,7 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
         stream.stop();
     auto stopping = confirmStop(device);
     (void)co_await std::move(stopping);
-    auto resting = untilAtRest(device, recorder);
+    auto resting = untilAtRest(device, setPoint.axis);
     (void)co_await std::move(resting);
     if (others)
         co_return fail(Fault::Cancelled, stream.reason());
@@ -92,9 +93,11 @@ struct Place {
     }
 };
 
-std::vector<Place> placesOf(const Device &device)
+std::vector<Place> placesOf(const Device &device, std::optional<int> axis)
 {
     std::vector<Place> places;
+    if (const auto channel = axis ? axisChannel(device, "position", *axis) : std::nullopt)
+        return {{*channel}};
     const auto channels = device.telemetry()->channels();
     for (std::uint16_t i = 0; i < channels.size(); ++i) {
         if (channels[i].key == axisKey(axisOf(channels[i].key), "position"))
@@ -128,7 +131,7 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     guards.dutyKnown = true;
     bool rests = recorder.isStill(Instant(), restSpan);
     if (!rests) {
-        auto resting = untilAtRest(device, recorder);
+        auto resting = untilAtRest(device, axis);
         rests = co_await std::move(resting);
     }
     if (!rests && device.link().state() == LinkState::Open)
@@ -188,31 +191,11 @@ Task<bool> confirmStop(Device &device)
     co_return true;
 }
 
-Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder)
-{
-    Clock &clock = device.clock();
-    const Instant limit = clock.now() + restLimit;
-    std::optional<double> place = recorder.latest("position");
-    Instant since = clock.now();
-    while (clock.now() - since < restSpan) {
-        if (clock.now() >= limit || device.link().state() != LinkState::Open)
-            co_return false;
-        Sleep nap(clock, glancePeriod);
-        co_await nap;
-        const auto now = recorder.latest("position");
-        if (now && (!place || std::abs(*now - *place) > restCounts)) {
-            place = now;
-            since = clock.now();
-        }
-    }
-    co_return true;
-}
-
-Task<bool> untilAtRest(Device &device)
+Task<bool> untilAtRest(Device &device, std::optional<int> axis)
 {
     Clock &clock = device.clock();
     const Instant begin = clock.now();
-    std::vector<Place> places = placesOf(device);
+    std::vector<Place> places = placesOf(device, axis);
     while (!std::ranges::all_of(places, [](const Place &place) { return place.rests(); })) {
         if (clock.now() >= begin + restLimit || device.link().state() != LinkState::Open)
             co_return false;

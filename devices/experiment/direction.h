@@ -50,9 +50,7 @@ private:
 
 /// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
 [[nodiscard]] Task<bool> confirmStop(Device &device);
-/// Waits until its position stands, at most 5 s; whether it does.
-[[nodiscard]] Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder);
-/// The same outside of experiments, of every axis; one that tells no position is not seen to stand.
-[[nodiscard]] Task<bool> untilAtRest(Device &device);
+/// Waits until this axis, or every one, is told to stand, at most 5 s; whether it does. What is silent is not seen to stand.
+[[nodiscard]] Task<bool> untilAtRest(Device &device, std::optional<int> axis = std::nullopt);
 
 } // namespace mb::tuning

@@ -90,7 +90,8 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
     m_origin = guards.origin;
     m_recorder.guard(guards);
     m_recorder.expect(m_trial.stimulus.from);
-    if (auto started = m_stream.start(setPointAt(m_trial.stimulus.from), experimentLease); !started)
+    const SetPoint first = setPointAt(m_trial.stimulus.from);
+    if (auto started = m_stream.start(first, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
     auto going = goTo(m_trial.stimulus.from);
     co_await std::move(going);

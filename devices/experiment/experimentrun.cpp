@@ -324,7 +324,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     if (hasResult()) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
-        auto resting = untilAtRest(m_device, m_recorder);
+        auto resting = untilAtRest(m_device, m_plan.axis);
         const bool rests = co_await std::move(resting);
         m_stands = rests && m_trial.stopped;
     }

@@ -49,7 +49,7 @@ struct OperationStatus {
 };
 
 /// Owns one long job: its task, its progress, its log and its cancel. Engine thread. The callbacks come from the clock, so
-/// they may destroy the operation.
+/// they may destroy the operation; by then all that the task held is gone.
 class Operation final : public Progress {
 public:
     Operation(Clock &clock, Message title, OperationKind kind = OperationKind::Other);
@@ -98,7 +98,12 @@ private:
             , finished(std::move(callback))
         {
         }
-        void finish(Operation &operation) override { end(operation, std::move(task.result())); }
+        void finish(Operation &operation) override
+        {
+            Result<T> result = std::move(task.result());
+            task.cancel(); // one that failed in its middle still holds what it worked with, such as a motion
+            end(operation, std::move(result));
+        }
         void cut(Operation &operation, const Error &error) override
         {
             if (task.isFinished()) {

@@ -15,12 +15,18 @@ constexpr Duration guardLimit = std::chrono::seconds(2);
 /// Of a comparison of two clocks. Nobody wakes a computer sooner.
 constexpr Duration sleepTolerance = std::chrono::milliseconds(20);
 
+Message nobodyRenewed()
+{
+    return say("nobody renewed the motion lease");
+}
+
 } // namespace
 
 SetPointStream::SetPointStream(Device &device, Clock &clock)
     : m_device(device)
     , m_clock(clock)
     , m_timer(clock)
+    , m_lease(clock, [this] { finish(End::LeaseExpired, nobodyRenewed()); })
 {
 }
 
@@ -31,12 +37,16 @@ SetPointStream::~SetPointStream()
     m_device.guard().leave();
 }
 
-Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, const Glide &glide)
+Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, const Glide &glide, Since since)
 {
     if (m_running)
         return update(setPoint, glide);
-    m_end = End::None;
-    m_reason = {};
+    if (since == Since::Start)
+        m_lease.renew();
+    m_end = m_lease.isOver(lease) ? End::LeaseExpired : End::None;
+    m_reason = m_end == End::None ? Message() : nobodyRenewed();
+    if (m_end != End::None)
+        return fail(Fault::Unsafe, m_reason);
     if (setPoint.mode != Mode::Off) {
         if (m_calledOff && *m_calledOff)
             return fail(Fault::Cancelled, say("the user stopped it"));
@@ -51,7 +61,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     if (auto sent = sendOrWait(); !sent)
         return sent;
     m_running = true;
-    watch(lease);
+    m_lease.hold(lease);
+    watch();
     begin();
     m_changed.notify();
     return {};
@@ -148,10 +159,8 @@ void SetPointStream::begin()
         scheduleNext(m_startedAt);
 }
 
-void SetPointStream::watch(Duration lease)
+void SetPointStream::watch()
 {
-    m_lease = std::make_unique<Lease>(
-        m_clock, lease, [this] { finish(End::LeaseExpired, say("nobody renewed the motion lease")); });
     m_linkState = m_device.link().stateChanged().add([this](LinkState) { (void)checkDevice(); });
     m_deviceChanged = m_device.changed().add([this] { (void)checkDevice(); });
     m_guardChanged = m_device.guard().changed().add([this] { guardChanged(); });
@@ -206,8 +215,8 @@ Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &gl
 
 void SetPointStream::renew()
 {
-    if (checkDevice())
-        m_lease->renew();
+    (void)checkDevice();
+    m_lease.renew();
 }
 
 void SetPointStream::stop()
@@ -287,7 +296,7 @@ void SetPointStream::finish(End end, Message reason)
     m_reason = std::move(reason);
     m_timer.stop();
     m_glides.clear();
-    m_lease.reset();
+    m_lease.release();
     m_linkState.reset();
     m_deviceChanged.reset();
     m_guardChanged.reset();

@@ -36,6 +36,8 @@ public:
         Unguarded, ///< the guardian of a device without watchdog did not come, acted, or died
         Refused,   ///< mayMove() or check() said no while running
     };
+    /// From when on a lease counts that begins: its start, which is somebody's order, or the last renew().
+    enum class Since { Start, Renewal };
 
     SetPointStream(Device &device, Clock &clock);
     SetPointStream(const SetPointStream &) = delete;
@@ -43,13 +45,16 @@ public:
     ~SetPointStream();
 
     /// Sends the first frame now, or, for a device that needs a guardian, once that has confirmed that it stands by (it has
-    /// two seconds). Fails without sending when the device may not move or cannot do it.
-    [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease, const Glide &glide = {});
+    /// two seconds). Fails without sending when the device may not move or cannot do it. A story that begins by itself has no more
+    /// than what is left of its lease Since::Renewal, and fails where that is over, as one that has ended so.
+    [[nodiscard]] Result<void> start(
+        const SetPoint &setPoint, Duration lease, const Glide &glide = {}, Since since = Since::Start);
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint, const Glide &glide = {});
     /// The same for a story that moves the target by itself: what is not legal ends the stream, and the lease is not renewed.
     [[nodiscard]] Result<void> follow(const SetPoint &setPoint);
+    /// Somebody watches, also while nothing runs.
     void renew();
     /// Stops the motor now. Safe at any time.
     void stop();
@@ -77,7 +82,7 @@ private:
     [[nodiscard]] Result<void> sendOrWait();
     [[nodiscard]] Result<void> sendAll();
     void remember(const SetPoint &setPoint);
-    void watch(Duration lease);
+    void watch();
     void begin();
     void scheduleNext(Instant last);
     void guardChanged();
@@ -103,7 +108,7 @@ private:
     Instant m_sentAt{};     ///< the newest control frames
     Duration m_sleptThen{}; ///< Clock::slept() at that time
     Timer m_timer;
-    std::unique_ptr<Lease> m_lease;
+    Lease m_lease;
     Subscription m_linkState;
     Subscription m_deviceChanged;
     Subscription m_guardChanged;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -58,8 +59,10 @@ std::string trialsOf(const Family &family)
          << trials.hottest << ", bus " << trials.lowestBus << ' ' << trials.highestBus;
     for (const LoopGains &loop : trials.loops)
         text << "; " << toString(loop.mode) << (loop.proportional ? " P" : "");
+    constexpr std::array bounds{"position", "speed", "current", "duty"};
     for (const DeviceLimit &limit : trials.limits)
-        text << "; " << limit.key << ' ' << limit.one;
+        text << "; " << bounds.at(static_cast<std::size_t>(limit.bounds)) << ' ' << limit.key << ' ' << limit.one
+             << (limit.enabled.empty() ? "" : " by ") << limit.enabled;
     return text.str();
 }
 
@@ -102,17 +105,18 @@ TEST(FamilyFigures, WhatATrialMustKnow)
 {
     EXPECT_EQ(trialsOf(familyNamed("dmc60c")),
         "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
-        "current; limit.forward.soft.threshold 1; limit.reverse.soft.threshold 1; current_limit.continuous 1; "
-        "slot#.max_forward 32767");
+        "current; position limit.forward.soft.threshold 1 by limit.forward.soft.enabled; position "
+        "limit.reverse.soft.threshold 1 by limit.reverse.soft.enabled; current current_limit.continuous 1 by "
+        "current_limit.enabled; duty slot#.max_forward 32767; duty slot#.max_reverse 32767");
     EXPECT_EQ(trialsOf(familyNamed("supermodified")),
         "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280, nudge 20 60, hottest 80, bus 0 1000; position; "
-        "limit.current 1000");
+        "current limit.current 1000");
     EXPECT_EQ(trialsOf(familyNamed("abstractdc")),
         "within 5e+06 500000 150 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
         "current P");
     EXPECT_EQ(trialsOf(familyNamed("quadquad2drv")),
         "within 1e+06 100000 10 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
-        "limit.power 1; limit.velocity 1");
+        "duty limit.power 1; speed limit.velocity 1");
 }
 
 TEST(FamilyFigures, WhatItsGainsMean)

@@ -61,6 +61,21 @@ TEST_F(SupermodifiedDistances, ADistanceAfterAPositionCountsFromThatPosition)
     EXPECT_TRUE(device->command(by(400000.0, 2)));
 }
 
+TEST_F(SupermodifiedDistances, ADistanceBehindABufferedPositionCountsFromTheOneThatIsNotOverYet)
+{
+    useFactoryGain();
+    order(setPoint(Mode::Position, 400000.0), 100ms);
+    SetPoint kept = setPoint(Mode::Position, 0.0);
+    kept.buffered = true;
+    order(kept, 100ms);
+    bench.sent.clear();
+    EXPECT_EQ(device->command(by(400000.0, 1)).error().fault, Fault::OutOfRange)
+        << "800000 ahead, nothing was released";
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::MoveRelative), 0);
+    EXPECT_GT(node.position(), -500.0);
+}
+
 TEST_F(SupermodifiedDistances, ADistanceAfterAVelocityNeedsAHaltFirst)
 {
     useFactoryGain();

@@ -5,6 +5,7 @@
 #include "support/simulatedsession.h"
 
 #include <atomic>
+#include <functional>
 
 namespace mb {
 namespace {
@@ -68,6 +69,7 @@ public:
     int releases = 0;
     int stops = 0;
     int restarts = 0;
+    std::function<void()> whenCommanded;
 
 private:
     Task<std::int64_t> doRead(ParameterIndex) override
@@ -92,6 +94,8 @@ private:
     Result<void> doCommand(const SetPoint &) override
     {
         ++commands;
+        if (whenCommanded)
+            whenCommanded();
         return obeys ? Result<void>() : fail(Fault::Refused);
     }
     Result<void> doReleaseMoves() override
@@ -279,6 +283,20 @@ TEST_F(CommonDevice, AStopLeavesAMoveThatTheDeviceKeepsAndNobodyWantsIt)
     motor->gate().moveAcknowledged(duty());
     EXPECT_EQ(motor->gate().moveReleased(), duty());
     EXPECT_FALSE(motor->gate().keepsMove());
+}
+
+TEST_F(CommonDevice, AnOrderWithWhichTheLinkWentForgetsNotItsStop)
+{
+    ASSERT_TRUE(make().command(duty()));
+    motor->whenCommanded = [this] {
+        link.lose({Fault::LinkLost, say("cut")});
+        motor->stop(); // as whoever drives it does at once
+    };
+    EXPECT_FALSE(motor->command(duty()));
+    EXPECT_EQ(motor->stopping().state(), StopState::Stopping);
+    ASSERT_TRUE(link.open());
+    motor->stopping().linkIsBack();
+    EXPECT_EQ(motor->stops, 2);
 }
 
 TEST_F(CommonDevice, OffIsAStopWhateverForbidsAMotion)

@@ -58,6 +58,24 @@ Task<int> broken(Clock &clock)
     co_return fail(Fault::Refused, say("no"));
 }
 
+Task<int> holding(Clock &clock, int &alive)
+{
+    const Alive here(alive);
+    auto failing = broken(clock);
+    co_return co_await std::move(failing);
+}
+
+TEST(Operation, HoldsNothingMoreWhenItAnswersAlsoWhereItFailedInTheMiddle)
+{
+    Job job;
+    job.start(holding(job.clock, job.alive));
+    ASSERT_EQ(job.alive, 1);
+    job.clock.advance(2s);
+    ASSERT_TRUE(job.result);
+    EXPECT_EQ(job.result->error().fault, Fault::Refused);
+    EXPECT_EQ(job.alive, 0);
+}
+
 TEST(Operation, AnswersWhenItIsDismissedEvenInAPartThatMustNotBeCut)
 {
     Job job;

@@ -26,7 +26,7 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr Mode wireModes[] = {Mode::Duty};
 constexpr std::uint8_t driveByte = 0x11;
 constexpr std::uint8_t stopByte = 0x22;
-constexpr std::uint8_t scriptByte = 0x33;
+constexpr std::uint8_t scriptByte = 0x33, releaseByte = 0x44;
 
 std::unique_ptr<Device> openWired(Link &link, Clock &clock, const Identity &identity);
 
@@ -58,6 +58,7 @@ public:
 
 private:
     Result<void> doCommand(const SetPoint &) override { return m_line.send(Bytes{driveByte}); }
+    Result<void> doReleaseMoves() override { return m_line.send(Bytes{releaseByte}); }
     void doStop() override { (void)m_line.send(Bytes{stopByte}, Priority::Urgent); }
     [[nodiscard]] StopScript stopScript() const override { return {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}; }
     [[nodiscard]] bool isSeenStopped() const override { return seen; }
@@ -136,6 +137,11 @@ protected:
         links.at(line)->close();
         links.at(line)->closedFor(say("it came out"));
     }
+    [[nodiscard]] Subscription tap(std::size_t line, Bytes &to) const
+    {
+        return links.at(line)->traffic().add(
+            [&to](const Traffic &traffic) { to.insert(to.end(), traffic.bytes.begin(), traffic.bytes.end()); });
+    }
     /// The next bytes that the other end of a line gets; the kernel hands them over in its own time.
     Bytes heard(std::size_t line, std::size_t count) const
     {
@@ -166,11 +172,7 @@ TEST_F(SessionLines, AClosedLinkStopsItsOwnMotorsOnlyAndOwesWhatWasNotSeen)
     WiredMotor &other = motorOn(*links[1]);
     run(other);
     std::array<Bytes, 2> sent;
-    std::array<Subscription, 2> taps;
-    for (std::size_t i = 0; i < 2; ++i)
-        taps[i] = links[i]->traffic().add([&to = sent[i]](const Traffic &traffic) {
-            to.insert(to.end(), traffic.bytes.begin(), traffic.bytes.end());
-        });
+    const std::array<Subscription, 2> taps{tap(0, sent[0]), tap(1, sent[1])};
     close(*links[0]);
     EXPECT_EQ(sent[0], Bytes{stopByte});
     EXPECT_EQ(stops.owed().size(), 1U);
@@ -268,8 +270,7 @@ TEST_F(SessionLines, WhatIsTakenOverLateIsNotSentIntoAMotionOfThisProgramWhoseOw
     guard.isWithOthers = false;
     guard.book = {owedTo(found)};
     Bytes sent;
-    const auto tap = links[0]->traffic().add(
-        [&sent](const Traffic &traffic) { sent.insert(sent.end(), traffic.bytes.begin(), traffic.bytes.end()); });
+    const Subscription tapped = tap(0, sent);
     clock.advance(2s);
     EXPECT_EQ(std::count(sent.begin(), sent.end(), driveByte), std::ssize(sent));
     EXPECT_TRUE(devices.stream(found).isRunning());
@@ -334,6 +335,19 @@ TEST_F(SessionLines, TheUserDismissesWhatIsOwedAndWhatMayTurn)
     EXPECT_EQ(guard.settled.size(), 2U) << "the books of both lines";
     EXPECT_FALSE(other.stopping().mayTurn());
     EXPECT_GE(told, 1);
+}
+
+TEST_F(SessionLines, AMoveIsNotReleasedWhereAnotherMotorThatKeepsOneHasNoGuardian)
+{
+    WiredMotor &lead = motorOn(*links[0]);
+    WiredMotor &other = motorOn(*links[0], 4);
+    Bytes sent;
+    const Subscription tapped = tap(0, sent);
+    ASSERT_TRUE(lead.guard().call());
+    EXPECT_TRUE(stops.releaseMoves(lead)) << "the other keeps none";
+    other.gate().moveAcknowledged({});
+    EXPECT_EQ(stops.releaseMoves(lead).error().detail, other.guard().reason());
+    EXPECT_EQ(sent, Bytes{releaseByte}) << "and nothing more";
 }
 
 TEST_F(SessionLines, ALostLineThatOwesAStopIsTriedEveryFiftyMillisecondsUntilItIsBack)

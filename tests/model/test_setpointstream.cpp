@@ -128,6 +128,29 @@ TEST_F(Stream, StopsWhenNobodyRenewsTheLease)
     expectEnded(StreamEnd::LeaseExpired);
 }
 
+TEST_F(Stream, AStoryThatBeginsByItselfHasWhatIsLeftOfItsLease)
+{
+    constexpr auto since = SetPointStream::Since::Renewal;
+    const auto starts = [this] { return stream->start(duty(0.3), 1s, {}, since).has_value(); };
+    EXPECT_FALSE(starts()) << "nobody was ever heard of";
+    stream->renew();
+    clock.advance(600ms);
+    ASSERT_TRUE(starts());
+    clock.advance(399ms);
+    EXPECT_TRUE(stream->isRunning());
+    clock.advance(1ms);
+    EXPECT_EQ(stream->end(), StreamEnd::LeaseExpired);
+    clock.advance(500ms);
+    control.clear();
+    EXPECT_FALSE(starts());
+    EXPECT_EQ(stream->end(), StreamEnd::LeaseExpired);
+    EXPECT_TRUE(control.empty());
+    ASSERT_TRUE(stream->start(duty(0.3), 1s)) << "somebody's order";
+    stream->stop();
+    clock.advance(900ms);
+    EXPECT_TRUE(starts()) << "it counted from there";
+}
+
 TEST_F(Stream, StopsWhenAnotherMasterSendsControlFrames)
 {
     drive();

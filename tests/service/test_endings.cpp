@@ -41,6 +41,10 @@ TEST_F(Endings, AStopThatNobodyHasSeenIsWrittenDownAsSuch)
     EXPECT_EQ(visits[0].ending, Ending::StopUnconfirmed) << visits[0].cause.english();
 }
 
+const QByteArray turnWithBase = R"({"recipe":1,"name":"turn","family":"dmc60c",
+"parameters":{"file":"base_c.json"},"test":{"loop":"velocity","to":8000,"time":0.8,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})";
+
 /// Somebody else, at the same unit: its first setting, and what keeps that from stopping the motor.
 Task<void> moveSwitch(Device &device)
 {
@@ -54,9 +58,7 @@ Task<void> moveSwitch(Device &device)
 TEST_F(Endings, WhatElseHasChangedMeanwhileIsCountedFromTheFirstSettingOn)
 {
     UnitRack rack({"dmc60c:5,serial=210334000001"});
-    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
-"parameters":{"file":"base_c.json"},"test":{"loop":"velocity","to":8000,"time":0.8,
-"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})"));
+    QueueRun run(rack, *books, load(rack, turnWithBase));
     std::optional<Task<void>> other;
     run.permit.asked = [&] {
         other.emplace(moveSwitch(*rack.session->devices().front()));
@@ -71,6 +73,25 @@ TEST_F(Endings, WhatElseHasChangedMeanwhileIsCountedFromTheFirstSettingOn)
     for (const StepEntry &step : visits[0].steps)
         told += '\n' + step.detail.english();
     EXPECT_NE(told.find("2 settings besides those of the recipe differ from the backup"), std::string::npos) << told;
+}
+
+TEST_F(Endings, AUnitWhoseRecipeSomebodyChangedMeanwhileHasFailed)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    QueueRun run(rack, *books, load(rack, turnWithBase));
+    std::optional<Task<std::int64_t>> other;
+    run.permit.asked = [&] {
+        Device &unit = *rack.session->devices().front();
+        other.emplace(unit.write(*findParameter(unit.family().parameters, "slot1.d"), 78));
+        other->start();
+    };
+    ASSERT_TRUE(run.run());
+    ASSERT_TRUE(other && other->isFinished() && other->result());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Failed);
+    EXPECT_EQ(visits[0].step, Step::Proof);
+    EXPECT_EQ(visits[0].cause.english(), "1 setting of the recipe read back different, first slot1.d");
 }
 
 TEST_F(Endings, AUnitOnWhichAnExperimentLeftItsGainsIsRefusedAndNothingOfItIsKept)

@@ -29,11 +29,17 @@ constexpr Family storingFamily = [] {
     return family;
 }();
 
+constexpr Family untoldFamily = [] {
+    Family family = storingFamily;
+    family.capabilities.versionOnWire = false;
+    return family;
+}();
+
 /// Answers, and cannot tell whether its flash was written.
 class UnprovedUnit final : public test::MuteDevice {
 public:
-    UnprovedUnit(CanLink &link, Clock &clock)
-        : MuteDevice(storingFamily, link, clock, {})
+    UnprovedUnit(CanLink &link, Clock &clock, const Family &family = storingFamily, Identity identity = {})
+        : MuteDevice(family, link, clock, std::move(identity))
     {
     }
     bool isStored = false;
@@ -96,6 +102,42 @@ TEST(Proofs, AUnitThatWasWrittenWithoutProofSaysSo)
     EXPECT_NE(
         passed.evidence.english().find("4 pages, 0 sent again; nothing proves the new firmware"), std::string::npos)
         << told(passed);
+}
+
+TEST(Proofs, AUnitThatAnswersWithAnotherVersionThanTheImageHasFailed)
+{
+    struct Row {
+        const char *image;
+        const Family *family;
+        bool isWritten;
+        Outcome outcome;
+    };
+    for (const Row &row : {Row{"9.9", &storingFamily, true, Outcome::Failed},
+             {"1.0", &storingFamily, true, Outcome::Passed}, {"", &storingFamily, true, Outcome::Passed},
+             {"9.9", &untoldFamily, true, Outcome::Passed}, {"9.9", &storingFamily, false, Outcome::Passed}}) {
+        VirtualClock clock;
+        test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+        ASSERT_TRUE(link.open());
+        Identity identity;
+        identity.firmware = "1.0";
+        UnprovedUnit unit(link, clock, *row.family, identity);
+        unit.isStored = true;
+        SetPointStream stream(unit, clock);
+        ServiceBooks books(clock);
+        RecipeMatter matter;
+        if (row.isWritten)
+            matter.recipe.firmware = FirmwareRule{"new.hex", {}};
+        matter.imageVersion = row.image;
+        NoProgress unseen;
+        const ServiceSurroundings around{matter, *books.journal, nullptr, {}, nullptr, {}, {}};
+        const Visit opened = *test::run(clock, books.journal->open({}));
+        const Visit visit = *test::run(clock, serveUnit(unit, stream, opened, around, unseen));
+        EXPECT_EQ(visit.outcome, row.outcome) << row.image << ": " << told(visit);
+        if (row.outcome == Outcome::Failed) {
+            EXPECT_EQ(visit.step, Step::Proof);
+            EXPECT_EQ(visit.cause.english(), "the unit answers with firmware 1.0, the image is 9.9");
+        }
+    }
 }
 
 class ProvedQueues : public ServiceQueues {

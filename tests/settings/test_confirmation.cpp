@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values that can cut a unit off, or make a motor livelier, go back by themselves unless somebody keeps them.
+#include "model/family.h"
+#include "model/registry.h"
 #include "model/setpointstream.h"
 #include "model/unit.h"
 #include "settings/confirmation.h"
 #include "settings/history.h"
 #include "settingsbench.h"
+
+#include <array>
 
 namespace mb {
 namespace {
@@ -158,6 +162,34 @@ TEST_F(Confirmations, NothingIsWrittenWhileTheMotorTurns)
     EXPECT_EQ(pass(confirmation, five, 20s), 1);
 }
 
+TEST_F(Confirmations, NothingIsPutBackIntoAUnitThatIsNotHeard)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    const SettingsChange change = provisional(five, {this->change(five, "current_limit.peak", *old * 2)});
+    Confirmation confirmation = confirmationOf(five, change);
+    bench.simulator("dmc60c:5")->setPowered(false);
+    EXPECT_EQ(pass(confirmation, five, 40s), 0);
+    EXPECT_EQ(confirmation.state(), State::AwaitsStandstill);
+    EXPECT_EQ(run(settings::putBack(five, change, *book, progress)).error().fault, Fault::Unsafe);
+    EXPECT_EQ(all(five).size(), 1U) << "nothing was begun";
+    bench.simulator("dmc60c:5")->setPowered(true);
+    EXPECT_EQ(pass(confirmation, five, 5s), 1);
+}
+
+TEST_F(Confirmations, OnlyALaterValueThatWasSeenReplacesOne)
+{
+    const Family &nodes = *findFamily(families(), "supermodified");
+    for (const auto &[proof, open] :
+        {std::pair{Proof::Equal, 0U}, {Proof::Blind, 0U}, {Proof::Open, 1U}, {Proof::Refused, 1U}}) {
+        std::array<SettingsChange, 2> changes;
+        changes[0].purpose = Purpose::Provisional;
+        changes[0].values = {{"uart.baud", 57600, 115200, Proof::Equal}};
+        changes[1].values = {{"uart.baud", 115200, 9600, proof}};
+        EXPECT_EQ(settings::unconfirmed(nodes, changes).size(), open) << static_cast<int>(proof);
+    }
+}
+
 class SerialConfirmations : public Confirmations {
 protected:
     SerialConfirmations()
@@ -178,6 +210,30 @@ TEST_F(SerialConfirmations, WhatActsAfterARestartCountsFromThen)
     EXPECT_EQ(pass(confirmation, four, 60s), 0);
     EXPECT_EQ(confirmation.state(), State::AwaitsRestart);
     EXPECT_EQ(confirmation.left(bench.clock.now()), 30s);
+}
+
+TEST_F(SerialConfirmations, WhatActsAfterARestartGoesBackThirtySecondsAfterIt)
+{
+    Device &four = *bench.device(4, "supermodified");
+    const auto restart = [this] {
+        bench.simulator("supermodified:4")->setPowered(false);
+        bench.clock.advance(1s);
+        bench.simulator("supermodified:4")->setPowered(true);
+        bench.clock.advance(1s);
+    };
+    const auto old = reads(four, "node.mask");
+    ASSERT_TRUE(old);
+    const SettingsChange change = provisional(four, {this->change(four, "node.mask", 127)});
+    Confirmation confirmation = confirmationOf(four, change);
+    EXPECT_EQ(pass(confirmation, four, 60s), 0);
+    restart();
+    ASSERT_EQ(reads(four, "node.mask"), 127);
+    EXPECT_EQ(confirmation.look(four, bench.clock.now()), State::Counting);
+    EXPECT_EQ(pass(confirmation, four, 29'900ms), 0);
+    EXPECT_EQ(pass(confirmation, four, 300ms), 1);
+    ASSERT_TRUE(run(settings::putBack(four, change, *book, progress)));
+    restart();
+    EXPECT_EQ(reads(four, "node.mask"), old);
 }
 
 } // namespace

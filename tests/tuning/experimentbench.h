@@ -31,10 +31,8 @@ struct ExperimentBench {
     }
     void renew()
     {
-        renewal.startIn(std::chrono::milliseconds(100), [this] {
-            bench.session.stream(*device).renew();
-            renew();
-        });
+        bench.session.stream(*device).renew();
+        renewal.startIn(std::chrono::milliseconds(100), [this] { renew(); });
     }
     [[nodiscard]] Task<tuning::Trial> start(tuning::ExperimentPlan plan)
     {

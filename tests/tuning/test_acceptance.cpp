@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The criteria of acceptance that need whole tunings; those of pure parts stand with their parts, under the same name.
 #include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/simulatoraxis.h"
 #include "simulation/motormodel.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
+#include "wire/bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -272,6 +274,28 @@ TEST(Acceptance, A13_ATuningTakesAMinuteAtMost)
         worst = std::max(worst, report->seconds);
     }
     EXPECT_LE(worst, 60.0);
+}
+
+/// The board tells nobody its duty, so no guard would see it.
+TEST(Acceptance, TheSearchForScalesStaysWithinTheDutyOfThePlan)
+{
+    using quadquad2drv::PacketId;
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    int powers = 0;
+    const auto heard = bench.bench.link->traffic().add([&powers](const Traffic &traffic) {
+        if (traffic.direction != Direction::Sent || traffic.bytes.size() < 6)
+            return;
+        const auto id = static_cast<PacketId>(traffic.bytes[2]);
+        if (id == PacketId::SetPower || (id == PacketId::SetPowerLimit && powers == 0)) { // at its end it has all again
+            ++powers;
+            EXPECT_LE(std::abs(static_cast<std::int16_t>(readU16le(traffic.bytes, 4))), 820);
+        }
+    });
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.keep = true;
+    plan.limits.duty = 0.1;
+    (void)tune(bench, plan);
+    EXPECT_GT(powers, 2);
 }
 
 } // namespace

@@ -301,17 +301,70 @@ TEST(Endings, AShaftThatStillTurnsTellsNobodyItsDirection)
     EXPECT_NE(why.find("still turns"), std::string::npos) << why;
 }
 
-/// Everything else is heard: without its position travel, speed and direction are watched by nobody.
+/// Everything else is heard: without its position travel, speed and direction are watched by nobody, and silence is no rest.
 TEST(Endings, APositionThatIsSilentAloneEndsATrial)
 {
     StepWithGains step;
     const Trial trial = step.endedBy([&] {
         const ParameterIndex encoderPeriod = step.bench.bench.index(*step.bench.device, "status.encoder.period");
         (void)run(step.bench.bench.clock, step.bench.device->write(encoderPeriod, 30'000));
+        step.bench.simulator()->disturb("load-torque", -0.5);
     });
     EXPECT_EQ(trial.reason, "link");
     EXPECT_NE(trial.detail.english().find("no position for"), std::string::npos) << trial.detail.english();
-    EXPECT_EQ(step.inForce(), step.before);
+    EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
+    EXPECT_EQ(step.inForce(), step.before / 2) << "its loop is not changed while the shaft may turn";
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
+TEST(Endings, AShaftThatALoadStillTurnsOwesTheGains)
+{
+    StepWithGains step;
+    const Trial trial = step.endedBy([&] {
+        step.bench.simulator()->disturb("load-torque", -2.0);
+        step.bench.interruption.interrupt();
+    });
+    EXPECT_EQ(trial.reason, "interrupted");
+    EXPECT_TRUE(trial.stopped) << "nothing drives it";
+    EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
+    EXPECT_EQ(step.inForce(), step.before / 2);
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
+TEST(Endings, GainsThatReadBackDifferentAreStillOwed)
+{
+    StepWithGains step;
+    test::SimulatedSession &session = step.bench.bench;
+    Device &device = *step.bench.device;
+    const auto link = session.session.bench(*session.link)->hostLink();
+    ASSERT_TRUE(link->open());
+    const auto elsewhere = device.family().open(*link, session.clock, device.identity());
+    Task<std::int64_t> other;
+    Timer insisting(session.clock);
+    const std::function<void()> insist = [&] { // another program, again and again
+        other = elsewhere->write(step.p, step.before + 7);
+        other.start();
+        insisting.startIn(300us, insist);
+    };
+    const Trial trial = step.endedBy([&] {
+        insist();
+        step.bench.interruption.interrupt();
+    });
+    EXPECT_EQ(trial.notPutBack.english(), "slot0.p reads back different from what was written");
+    EXPECT_FALSE(step.bench.journal.owed.empty());
+}
+
+TEST(Endings, WithoutAPositionNothingBegins)
+{
+    ExperimentBench bench;
+    const ParameterIndex spacing = bench.bench.index(*bench.device, "status.encoder.period");
+    ASSERT_TRUE(run(bench.bench.clock, bench.device->write(spacing, 30'000)));
+    bench.bench.clock.advance(1s);
+    const auto trial = bench.run(stepTo(Mode::Velocity, 60'000.0));
+    ASSERT_FALSE(trial);
+    EXPECT_EQ(trial.error().fault, Fault::Timeout);
+    EXPECT_NE(trial.error().text().find("does not tell its position"), std::string::npos) << trial.error().text();
+    EXPECT_TRUE(bench.journal.log.empty());
 }
 
 /// A program that is held up again and again looks late each time; what a guard says of the time is true all the same.

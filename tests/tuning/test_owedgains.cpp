@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an experiment owes to a unit: to a real one that stores by itself, later, a DMC60C on a CAN interface; and when it may be paid. In
 // virtual time.
+#include "model/bench.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
+#include "transport/canlink.h"
+#include "wire/canframe.h"
+
+#include <functional>
 
 namespace mb::tuning {
 namespace {
@@ -61,6 +66,49 @@ TEST(OwedGains, ThatWereNeverPutBackAreAskedForWhateverTheUnitHas)
         run(unit.clock, unit.journal.owe(1, unitKeyOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
     ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before + 1000}})));
     EXPECT_EQ(unit.askedAbout(), 1U);
+}
+
+TEST(OwedGains, OfATrialThatIsUnderWayAreNobodysQuestion)
+{
+    for (const bool isTried : {true, false}) {
+        RealUnit unit;
+        ASSERT_TRUE(run(unit.clock, unit.journal.begin({})));
+        ASSERT_TRUE(
+            run(unit.clock, unit.journal.owe(1, unitKeyOf(*unit.device), {{"slot0.p", unit.before, unit.before / 2}})));
+        if (isTried) {
+            ASSERT_TRUE(run(unit.clock, writeGains(*unit.device, {{unit.gain, unit.before / 2}})));
+        }
+        unit.clock.advance(60s);
+        unit.journal.isUnderWay = true;
+        EXPECT_EQ(unit.askedAbout(), 0U);
+        EXPECT_EQ(unit.journal.log, (std::vector<std::string>{"begin", "owe"})) << "nor is it settled or released";
+        unit.journal.isUnderWay = false;
+        EXPECT_EQ(unit.askedAbout(), isTried ? 1U : 0U);
+    }
+}
+
+TEST(OwedGains, AreNotPutBackWhileSomebodyDrivesAMotorThatIsBlocked)
+{
+    test::ExperimentBench bench;
+    auto &clock = bench.bench.clock;
+    bench.simulator()->disturb("stall", 1.0);
+    const ParameterChange tried = bench.change("slot0.p", 0.25);
+    const std::int64_t before = run(clock, bench.device->read(tried.index)).value_or(-1);
+    ASSERT_TRUE(run(clock, writeGains(*bench.device, {tried})));
+    const auto other = bench.bench.session.bench(*bench.bench.link)->hostLink();
+    ASSERT_TRUE(other->open());
+    Timer driving(clock);
+    const std::function<void()> drive = [&] {
+        (void)dynamic_cast<CanLink &>(*other).send(*canFrameFromText("02060005#0000000010270000"));
+        driving.startIn(20ms, drive);
+    };
+    drive();
+    clock.advance(500ms);
+    ASSERT_TRUE(bench.simulator()->isOutputOn());
+    const auto refused = run(clock, payOwed(*bench.device, bench.journal, {1, 0.0, {{"slot0.p", before, tried.raw}}}));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_EQ(run(clock, bench.device->read(tried.index)).value_or(-1), tried.raw);
 }
 
 /// Its output is off, and something else turns it.

@@ -138,7 +138,8 @@ Task<void> AxisTrial::move(Mode mode, double target)
     setPoint.axis = m_options.axis;
     setPoint.mode = mode;
     setPoint.target = target;
-    const Result<void> sent = m_started ? m_stream.update(setPoint) : m_stream.start(setPoint, lease);
+    const Result<void> sent
+        = m_started ? m_stream.follow(setPoint) : m_stream.start(setPoint, lease, {}, SetPointStream::Since::Renewal);
     if (!sent)
         co_return fail(sent.error());
     m_started = true;

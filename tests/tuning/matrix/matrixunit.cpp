@@ -164,10 +164,8 @@ void MatrixUnit::disturb(const Surroundings &around)
 
 void MatrixUnit::renew()
 {
-    m_renewal.startIn(std::chrono::milliseconds(100), [this] {
-        m_session.stream(*m_device).renew();
-        renew();
-    });
+    stream().renew();
+    m_renewal.startIn(std::chrono::milliseconds(100), [this] { renew(); });
 }
 
 void MatrixUnit::shake()

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The check of the direction from inside: how hard it pushes, what ends it, and for how long nobody need watch.
+#include "async/sleep.h"
+#include "families/quadquad2drv/codec.h"
+#include "tests/tuning/experimentbench.h"
+#include "tests/tuning/realunit.h"
+#include "wire/bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <tuple>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+using test::ExperimentBench;
+using test::stepTo;
+
+constexpr Duration handling = 25ms;
+
+/// A check that has begun on a blocked shaft.
+struct BlockedCheck {
+    explicit BlockedCheck(std::string_view link = "sim:can", std::string_view family = "dmc60c", int address = 5,
+        const Envelope &limits = {})
+        : bench(link, family, address)
+    {
+        EXPECT_TRUE(bench.simulator()->disturb("stall", 1.0));
+        ExperimentPlan plan = stepTo(Mode::Velocity, 2000.0);
+        plan.limits = limits;
+        task = bench.start(plan);
+        task.start();
+    }
+    [[nodiscard]] bool pushes(bool on = true)
+    {
+        return bench.bench.clock.runUntil([this, on] { return bench.simulator()->isOutputOn() == on; }, 10s);
+    }
+    /// Until its end; when it was driven last.
+    [[nodiscard]] Instant drivenLast()
+    {
+        Instant driven{};
+        EXPECT_TRUE(bench.bench.clock.runUntil(
+            [&] {
+                if (bench.simulator()->isOutputOn())
+                    driven = bench.bench.clock.now();
+                return task.isFinished();
+            },
+            60s));
+        return driven;
+    }
+    [[nodiscard]] Trial trial() { return task.result().value_or(Trial()); }
+
+    ExperimentBench bench;
+    Task<Trial> task;
+};
+
+TEST(Direction, OfALeaseThatNobodyRenewsComesBetweenTwoPushes)
+{
+    BlockedCheck check;
+    ASSERT_TRUE(check.pushes() && check.pushes(false));
+    const Instant hung = check.bench.bench.clock.now();
+    check.bench.renewal.stop();
+    EXPECT_LE(check.drivenLast(), hung + experimentLease + handling);
+    EXPECT_EQ(check.trial().reason, "user") << check.trial().detail;
+}
+
+TEST(Direction, PushesStayWithinTheDutyOfTheEnvelope)
+{
+    Envelope limits;
+    limits.duty = 0.1;
+    BlockedCheck drive("sim:can", "dmc60c", 5, limits);
+    (void)drive.drivenLast();
+    EXPECT_EQ(drive.trial().reason, "no motion") << drive.trial().detail;
+    EXPECT_NE(drive.trial().detail.english().find("at up to 10 % duty"), std::string::npos) << drive.trial().detail;
+
+    BlockedCheck board("sim:spi", "quadquad2drv", 0, limits); // which tells nobody its duty
+    int powers = 0;
+    const auto heard = board.bench.bench.link->traffic().add([&powers](const Traffic &traffic) {
+        if (traffic.direction == Direction::Sent && traffic.bytes.size() == 7
+            && traffic.bytes[2] == static_cast<std::uint8_t>(quadquad2drv::PacketId::SetPower)) {
+            ++powers;
+            EXPECT_LE(static_cast<std::int16_t>(readU16le(traffic.bytes, 4)), 819);
+        }
+    });
+    (void)board.drivenLast();
+    EXPECT_EQ(board.trial().reason, "no motion") << board.trial().detail;
+    EXPECT_GT(powers, 2);
+}
+
+TEST(Direction, APushThatWasEndedIsTheLast)
+{
+    test::RealUnit unit; // a simulated one waits for a program that is held up
+    EXPECT_TRUE(unit.simulator->disturb("stall", 1.0));
+    SetPointStream stream(*unit.device, unit.dated);
+    stream.renew();
+    DirectionBook directions;
+    ExperimentSurroundings around;
+    around.directions = &directions;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 2000.0);
+    plan.limits = {.travel = 1e5, .speed = 1e5, .current = 100.0, .duty = 0.6};
+    auto task = runExperiment(*unit.device, stream, plan, around);
+    task.start();
+    const auto isOn = [&unit] { return unit.simulator->isOutputOn(); };
+    ASSERT_TRUE(unit.clock.runUntil(isOn, 10s));
+    unit.clock.advance(20ms);
+    unit.clock.stall(150ms);
+    ASSERT_TRUE(unit.clock.runUntil([&isOn] { return !isOn(); }, 1s));
+    EXPECT_TRUE(unit.clock.runUntil([&] { return isOn() || task.isFinished(); }, 10s));
+    ASSERT_TRUE(task.isFinished() && task.result()) << "it pushes again";
+    EXPECT_EQ(task.result()->reason, toString(SetPointStream::End::Late)) << task.result()->detail;
+    EXPECT_EQ(stream.end(), SetPointStream::End::Late);
+    EXPECT_FALSE(directions.find(unit.device->selector(), 1));
+}
+
+TEST(Direction, IsGuardedWhileItPushes)
+{
+    for (const auto &[what, value, reason] :
+        {std::tuple{"temperature", 95.0, "temperature"}, std::tuple{"bus-voltage", 5.0, "bus V"}}) {
+        BlockedCheck check;
+        ASSERT_TRUE(check.pushes());
+        check.bench.bench.clock.advance(20ms);
+        const Instant struck = check.bench.bench.clock.now();
+        EXPECT_TRUE(check.bench.simulator()->disturb(what, value));
+        EXPECT_LE(check.drivenLast(), struck + 100ms) << what;
+        EXPECT_EQ(check.trial().reason, reason) << check.trial().detail;
+    }
+}
+
+/// It has no duty: what is sent too far the wrong way runs at full power.
+TEST(Direction, ANudgeIsStoppedWithinSixtyCounts)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    EXPECT_TRUE(bench.simulator()->disturb("encoder-reversed", 1.0));
+    EXPECT_TRUE(bench.simulator()->disturb("load-torque", 0.02));
+    const double start = bench.simulator()->position();
+    ExperimentPlan plan = stepTo(Mode::Position, 1000.0);
+    plan.slot = 0;
+    auto task = bench.start(plan);
+    task.start();
+    double farthest = 0.0;
+    double fastest = 0.0;
+    ASSERT_TRUE(bench.bench.clock.runUntil(
+        [&] {
+            if (bench.simulator()->isOutputOn()) {
+                farthest = std::max(farthest, std::abs(bench.simulator()->position() - start));
+                fastest = std::max(fastest, std::abs(bench.simulator()->speed()));
+            }
+            return task.isFinished();
+        },
+        60s));
+
+    EXPECT_LE(farthest, 60.0 + 0.02 * fastest);
+    ASSERT_TRUE(task.result()) << task.result().error().text();
+    EXPECT_EQ(task.result()->reason, "travel") << task.result()->detail;
+}
+
+TEST(Direction, AndOfAnExperimentBeforeItsMotion)
+{
+    ExperimentBench bench;
+    bench.directions.add(bench.device->selector(), 1, 0.08);
+    bench.surroundings.before = [&bench]() -> Task<void> {
+        bench.renewal.stop();
+        co_await Sleep(bench.bench.clock, experimentLease);
+        co_return {};
+    };
+    auto task = bench.start(stepTo(Mode::Velocity, 20'000.0));
+    task.start();
+    bool drove = false;
+    ASSERT_TRUE(bench.bench.clock.runUntil(
+        [&] {
+            drove = drove || bench.simulator()->isOutputOn();
+            return task.isFinished();
+        },
+        60s));
+    EXPECT_FALSE(drove);
+    ASSERT_TRUE(task.result()) << task.result().error().text();
+    EXPECT_EQ(task.result()->reason, "user") << task.result()->detail;
+}
+
+} // namespace
+} // namespace mb::tuning
