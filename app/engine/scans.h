@@ -20,6 +20,8 @@ public:
     void scan(Link &link, ScanExtent extent = ScanExtent::Quick);
     /// Once a second: every open CAN link, when the last look is some time ago and nothing runs or moves.
     void look();
+    /// Something else needs the link for itself; a search that somebody asked for is said to be over.
+    void giveWay(const Link &link);
     /// A link is about to go.
     void forget(const Link &link);
     /// Its part of what is shown of a link.

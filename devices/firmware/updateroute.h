@@ -45,6 +45,7 @@ struct Programmer {
 /// What is said around an update: English literals, marked for translation ("table").
 struct UpdateWords {
     std::string_view cancel{};   ///< what cancelling leaves, now that nothing fatal is written
+    std::string_view written{};  ///< the same once pages were written; empty: the same
     std::string_view critical{}; ///< why it cannot be cancelled while Progress::mayInterrupt() is false
     std::string_view cut{};      ///< what losing the supply leaves, or the link …
     std::string_view fatalCut{}; ///< … while it must not; empty: the same

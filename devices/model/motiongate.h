@@ -14,12 +14,12 @@ namespace mb {
 struct KeptMove {
     enum class State : std::uint8_t {
         None,
-        Sent, ///< whether the device has it is not known
+        Sent, ///< whether the device has it, or still the one before it, is not known
         Acknowledged,
         Stale, ///< stopped before it began: nobody wants it any more, and the device would begin it
     };
     State state = State::None;
-    SetPoint order; ///< while it is acknowledged
+    SetPoint order; ///< while it is acknowledged; sent: what was acknowledged before
 };
 
 /// What of this program stands before a motion of a device: STOP that is pressed, an update that runs, a move that the device
@@ -49,14 +49,18 @@ public:
 
     [[nodiscard]] const KeptMove &kept() const { return m_kept; }
     [[nodiscard]] bool keepsMove() const { return m_kept.state != KeptMove::State::None; }
-    /// For families: what became of a buffered move.
-    void moveSent() { m_kept.state = KeptMove::State::Sent; }
-    void moveAcknowledged(const SetPoint &order) { m_kept = {KeptMove::State::Acknowledged, order}; }
-    /// Its release is on the wire: what the device begins. One that is only sent comes after it, and one that was to be stopped is gone.
-    std::optional<SetPoint> moveReleased()
+    /// For families: what became of a buffered move, from when it is on the wire.
+    void moveSent() { m_before = std::exchange(m_kept.state, KeptMove::State::Sent); }
+    /// The device has what it had before.
+    void moveRefused()
     {
         if (m_kept.state == KeptMove::State::Sent)
-            return std::nullopt;
+            m_kept.state = m_before;
+    }
+    void moveAcknowledged(const SetPoint &order) { m_kept = {KeptMove::State::Acknowledged, order}; }
+    /// Its release is on the wire, and nothing is kept any more: what the device begins, where that is known and wanted.
+    std::optional<SetPoint> moveReleased()
+    {
         const KeptMove was = std::exchange(m_kept, {});
         return was.state == KeptMove::State::Acknowledged ? std::optional(was.order) : std::nullopt;
     }
@@ -68,6 +72,7 @@ private:
     const std::atomic<bool> *m_stopGate = nullptr;
     Instant m_stoppedAt{};
     KeptMove m_kept;
+    KeptMove::State m_before = KeptMove::State::None; ///< the newest was sent
 };
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of the engine by themselves, without EngineCore: each needs a session, a log and the operations.
 #include "app/engine/devicejobs.h"
+#include "app/engine/firmwareupdates.h"
 #include "app/engine/rates.h"
 #include "app/engine/scans.h"
 #include "app/engine/snapshotpublisher.h"
@@ -132,6 +133,21 @@ TEST_F(EngineParts, ARateThatGotLostIsAskedForAgain)
         2);
 }
 
+TEST_F(EngineParts, ARaisedRateThatGotNoAnswerIsGivenBackOnceNobodyWishesIt)
+{
+    Rates rates(context);
+    clock.advance(3s);
+    const double own = device(5).telemetry()->rate(velocity(), device(5).clock().now());
+    wish(rates, 1, 200.0);
+    ASSERT_TRUE(clock.runUntil([&] { return operations.has(id(5)); }, 1s));
+    session.bench(*link)->setLoss(1.0);
+    wish(rates, 1, 0.0); // its page has gone
+    ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)); }, 10s));
+    session.bench(*link)->setLoss(0.0);
+    clock.advance(10s);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity(), device(5).clock().now()), own, 0.1 * own);
+}
+
 TEST_F(EngineParts, TheHighestWishHoldsAndWhoEndsGivesItBack)
 {
     Rates rates(context);
@@ -209,6 +225,40 @@ TEST_F(EngineParts, WhatBeganByItselfMakesWayForAnOrder)
     EXPECT_EQ(byItself.front().error().fault, Fault::Cancelled);
     ASSERT_TRUE(clock.runUntil([&] { return !ordered.empty(); }, 20s));
     EXPECT_TRUE(ordered.front());
+}
+
+TEST_F(EngineParts, ALinkThatASearchLeavesOutIsNamedWithTheReason)
+{
+    std::vector<Result<void>> answers;
+    operations.begin<void>(
+        id(5), {say("Update firmware"), OperationKind::UpdateFirmware},
+        [](Device &unit, Progress &) { return unit.identify(); }, [](const Operations::Job &, const Result<void> &) {},
+        into(answers));
+    scans.carryOut(orders::ScanLinks{}, into(answers));
+    EXPECT_FALSE(isScanning());
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(lines.back().find("sim:can: firmware is written here"), 0U) << lines.back();
+    EXPECT_TRUE(answers.back()) << "the others are searched";
+}
+
+TEST_F(EngineParts, AnUpdateThatEndsASearchOfItsLinkSaysSo)
+{
+    FirmwareUpdates firmware(context, parameters, scans);
+    std::vector<Result<void>> answers;
+    for (const bool isAsked : {false, true}) {
+        lines.clear();
+        if (isAsked)
+            scans.carryOut(orders::ScanEverything{"sim:can"}, into(answers));
+        else
+            scans.scan(*link); // as it is done by itself
+        ASSERT_TRUE(isScanning());
+        firmware.carryOut(orders::UpdateFirmware{id(5), std::make_shared<FirmwareImage>(), {}}, into(answers));
+        ASSERT_TRUE(clock.runUntil([&] { return !isScanning(); }, 1s));
+        EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                      [](const std::string &line) { return line.find("sim:can: the search ends here") == 0; }),
+            isAsked ? 1 : 0);
+        ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)) && !isScanning(); }, 60s));
+    }
 }
 
 TEST_F(EngineParts, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)

@@ -132,6 +132,12 @@ inline SetPoint ramp(double target, double velocity, double acceleration)
     return made;
 }
 
+inline SetPoint buffered(SetPoint move)
+{
+    move.buffered = true;
+    return move;
+}
+
 /// One simulated node of dialect D1, found and open.
 class OneNode : public testing::Test {
 protected:

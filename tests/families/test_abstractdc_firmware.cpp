@@ -178,9 +178,15 @@ protected:
         void part(int number, PartState state) override { parts.emplace_back(number, state); }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
         void mayInterrupt(bool may) override { interruptible = may; }
+        void accepted(int pages, int) override
+        {
+            if (!interruptible)
+                written.push_back(pages);
+        }
         std::function<void(const std::string &)> onStep;
         bool interruptible = true;
         std::vector<std::string> said;
+        std::vector<int> written; ///< as it was told while it was not to be cancelled
         std::vector<std::pair<int, PartState>> parts;
         Severity worst = Severity::Info;
     } steps;
@@ -213,6 +219,7 @@ TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
     EXPECT_TRUE(report->verified);
     EXPECT_EQ(report->to, "");
     EXPECT_EQ(report->pages, 1);
+    EXPECT_EQ(steps.written, std::vector<int>{1}) << "whatever ends it then";
     for (const char *step : {"Connecting through OpenOCD", "Writing flash", "Verifying flash", "Looking for the drive"})
         EXPECT_NE(std::find(steps.said.begin(), steps.said.end(), step), steps.said.end()) << step;
     QFile called(folder.path() + "/called");

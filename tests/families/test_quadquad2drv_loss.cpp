@@ -51,6 +51,24 @@ TEST(QuadQuad2DrvLoss, AStreamGoesOnWhenAPacketOfItIsLost)
     EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 498.0, 5.0);
 }
 
+TEST(QuadQuad2DrvLoss, ARateThatCouldNotBePutBackIsPutBackWhenTheBoardAnswersAgain)
+{
+    SimulatedSession bench("sim:spi");
+    bench.scan();
+    Device *device = bench.device(0, "quadquad2drv");
+    ASSERT_NE(device, nullptr);
+    auto &link = static_cast<VirtualSpiLink &>(*bench.link);
+    const ChannelIndex position = channelOf(0, AxisChannel::Position);
+    ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
+    bench.clock.advance(1s);
+    link.setLoss(1.0);
+    EXPECT_FALSE(run(bench.clock, device->setRate(position, 0.0)));
+    link.setLoss(0.0);
+    bench.clock.advance(5s);
+    EXPECT_TRUE(device->liveness().heard);
+    EXPECT_NEAR(device->telemetry()->rate(position, device->clock().now()), 100.0, 10.0) << "it is polled";
+}
+
 TEST(QuadQuad2DrvLoss, ABoardWhoseStreamHasEndedIsPolledThoughTheRestOfWhatItReplacedDidNotComeBack)
 {
     SimulatedSession bench("sim:spi");
@@ -61,13 +79,14 @@ TEST(QuadQuad2DrvLoss, ABoardWhoseStreamHasEndedIsPolledThoughTheRestOfWhatItRep
     const ChannelIndex position = channelOf(0, AxisChannel::Position);
     ASSERT_TRUE(run(bench.clock, device->setRate(position, 500.0)));
     bench.clock.advance(1s);
-    const Subscription hearing = link.traffic().add([&link](const Traffic &traffic) {
+    Subscription hearing = link.traffic().add([&link](const Traffic &traffic) {
         if (traffic.direction == Direction::Sent && traffic.bytes.size() > 4
             && (traffic.bytes[2] == static_cast<std::uint8_t>(PacketId::SetDataMask)
                 || traffic.bytes[2] == static_cast<std::uint8_t>(PacketId::SetStreamConfig)))
             link.setLoss(1.0);
     });
     EXPECT_FALSE(run(bench.clock, device->setRate(position, 0.0)));
+    hearing.reset();
     link.setLoss(0.0);
     bench.clock.advance(5s);
     EXPECT_TRUE(device->liveness().heard);

@@ -8,6 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
+using test::buffered;
 using test::ramp;
 using test::setPoint;
 
@@ -138,6 +139,34 @@ TEST_F(SupermodifiedDistances, ABufferedPositionIsCheckedOnceMoreWhenItIsRelease
     ASSERT_NEAR(node.position(), 0.0, 100.0);
     bench.sent.clear();
     EXPECT_EQ(device->releaseMoves().error().fault, Fault::OutOfRange);
+    bench.clock.advance(100ms);
+    EXPECT_EQ(bench.count(Command::DoMove), 0);
+}
+
+TEST_F(SupermodifiedDistances, AfterAReleaseADistanceCountsFromWhereTheReleasedMoveGoes)
+{
+    useFactoryGain();
+    order(buffered(setPoint(Mode::Position, 400000.0)), 100ms);
+    order(setPoint(Mode::Position, 1000.0), 100ms);
+    ASSERT_TRUE(device->releaseMoves());
+    bench.clock.advance(100ms);
+    const auto refused = device->check(by(400000.0, 1));
+    ASSERT_FALSE(refused) << "its set-point would be 800000 ahead of the motor";
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    order(setPoint(Mode::Position, 0.0), 100ms);
+    order(buffered(by(-300000.0, 2)), 100ms);
+    ASSERT_TRUE(device->releaseMoves());
+    bench.clock.advance(100ms);
+    EXPECT_TRUE(device->check(by(600000.0, 3))) << "300000 ahead";
+}
+
+TEST_F(SupermodifiedDistances, ABufferedDistanceIsCheckedFromWhereTheSetPointIsAtItsRelease)
+{
+    useFactoryGain();
+    order(buffered(by(400000.0, 1)), 100ms);
+    order(setPoint(Mode::Position, 400000.0), 100ms);
+    bench.sent.clear();
+    EXPECT_EQ(device->releaseMoves().error().fault, Fault::OutOfRange) << "800000 ahead of the motor";
     bench.clock.advance(100ms);
     EXPECT_EQ(bench.count(Command::DoMove), 0);
 }

@@ -10,15 +10,10 @@ namespace {
 using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
+using test::buffered;
 using test::ramp;
 using test::setPoint;
 using SupermodifiedOrders = test::OneNode;
-
-SetPoint buffered(SetPoint move)
-{
-    move.buffered = true;
-    return move;
-}
 
 // A Start of which nobody knows whether it was done (supermodified/README.md#start)
 
@@ -190,6 +185,70 @@ TEST(SupermodifiedRelease, ThatAStopOvertookHasBegunNothing)
     ASSERT_TRUE(member->releaseMoves());
     bench.clock.advance(100ms);
     EXPECT_EQ(member->liveness().mode, Mode::Velocity);
+}
+
+TEST(SupermodifiedRelease, BeginsWhatTheNodeKeepsAlthoughAnotherIsOrderedBehindIt)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    const auto lead = bench.connect(4);
+    const auto member = bench.connect(5);
+    for (Device *one : {lead.get(), member.get()})
+        ASSERT_TRUE(one->command(buffered(setPoint(Mode::Velocity, 300.0))));
+    bench.clock.advance(500ms);
+    bench.sent.clear();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return !bench.sent.empty(); }, 1s)) << "a question is under way";
+    ASSERT_TRUE(lead->releaseMoves());
+    ASSERT_TRUE(member->command(buffered(ramp(5000.0, 800.0, 800.0))));
+    bench.clock.advance(500ms);
+    ASSERT_EQ(bench.count(Command::DoMove), 1);
+    EXPECT_EQ(member->liveness().mode, Mode::Velocity);
+    EXPECT_EQ(member->gate().kept().state, KeptMove::State::Acknowledged) << "the one behind it";
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatWasNeverSentIsNotKeptAfterAStop)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    bench.sent.clear();
+    ASSERT_TRUE(bench.clock.runUntil([&] { return !bench.sent.empty(); }, 1s)) << "a question is under way";
+    ASSERT_TRUE(device->command(buffered(setPoint(Mode::Velocity, 300.0))));
+    device->stop();
+    bench.clock.advance(500ms);
+    ASSERT_EQ(bench.count(Command::BufferVelocity), 0);
+    EXPECT_FALSE(device->gate().keepsMove());
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatWasRefusedIsNotKeptAfterAStop)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(buffered(setPoint(Mode::Velocity, 300.0))));
+    for (int i = 0; i < 300; ++i) {
+        node.disturb("error", 0x44); // is reported instead of every answer
+        bench.clock.advance(1ms);
+    }
+    ASSERT_EQ(bench.count(Command::BufferVelocity), 4);
+    device->stop();
+    bench.clock.advance(500ms);
+    EXPECT_FALSE(device->gate().keepsMove());
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatMayHaveBeenTakenIsKeptAfterAStop)
+{
+    order(setPoint(Mode::Position, 0.0), 300ms);
+    bench.sent.clear();
+    bench.line.setLoss(1.0);
+    ASSERT_TRUE(device->command(buffered(setPoint(Mode::Velocity, 300.0))));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::BufferVelocity) == 2; }, 1s));
+    bench.line.setLoss(0.0);
+    for (int i = 0; i < 300; ++i) {
+        node.disturb("error", 0x44); // the second time it is refused
+        bench.clock.advance(1ms);
+    }
+    device->stop();
+    bench.clock.advance(500ms);
+    EXPECT_EQ(device->gate().kept().state, KeptMove::State::Stale);
 }
 
 TEST_F(SupermodifiedOrders, AMoveThatWaitsIsNotWhatTheNodeDoes)

@@ -240,6 +240,7 @@ TEST(SupermodifiedUpdate, MayBeCancelledAgainWhileItLooksForTheNode)
     bool looked = false;
     const auto cancelled = bench.update("avrdude:usbasp:usb", [&](Operation &operation) {
         if (operation.status().step.english() == "Looking for the controller" && !std::exchange(looked, true)) {
+            EXPECT_EQ(operation.status().update.pages, 1) << "they are written";
             EXPECT_TRUE(operation.cancel());
         }
     });

@@ -278,8 +278,7 @@ TEST_F(CommonDevice, AStopLeavesAMoveThatTheDeviceKeepsAndNobodyWantsIt)
     EXPECT_FALSE(motor->gate().moveReleased()) << "nobody wants it";
     EXPECT_FALSE(motor->gate().keepsMove()) << "but it is gone";
     motor->gate().moveSent();
-    EXPECT_FALSE(motor->gate().moveReleased()) << "the release was before it";
-    EXPECT_TRUE(motor->gate().keepsMove());
+    EXPECT_FALSE(motor->gate().moveReleased()) << "nobody knows whether it has one";
     motor->gate().moveAcknowledged(duty());
     EXPECT_EQ(motor->gate().moveReleased(), duty());
     EXPECT_FALSE(motor->gate().keepsMove());
@@ -297,6 +296,24 @@ TEST_F(CommonDevice, AnOrderWithWhichTheLinkWentForgetsNotItsStop)
     ASSERT_TRUE(link.open());
     motor->stopping().linkIsBack();
     EXPECT_EQ(motor->stops, 2);
+}
+
+TEST_F(CommonDevice, ARefusedMoveLeavesWhatTheDeviceKept)
+{
+    make().gate().moveSent();
+    motor->gate().moveRefused();
+    EXPECT_FALSE(motor->gate().keepsMove());
+    motor->gate().moveAcknowledged(duty());
+    motor->gate().moveSent();
+    motor->gate().moveRefused();
+    EXPECT_EQ(motor->gate().moveReleased(), duty());
+    motor->gate().moveSent();
+    motor->gate().moveSent(); // the first has no answer
+    motor->gate().moveRefused();
+    EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Sent) << "it may have taken the first";
+    motor->stop();
+    motor->gate().moveRefused();
+    EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Stale);
 }
 
 TEST_F(CommonDevice, OffIsAStopWhateverForbidsAMotion)

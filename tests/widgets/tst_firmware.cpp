@@ -25,6 +25,7 @@ private Q_SLOTS:
     void theButtonOfAnotherBusIsFreeMeanwhile();
     void withoutADeviceNothingIsSaidOfAMotor();
     void aCancelledUpdateSaysWhatIsKnownOfTheUnit();
+    void aCancelAfterAllWasWrittenIsNotSaidToLeaveTheOldProgram();
     void aUnitThatHasTheVersionOfTheImageIsNotSaidToChange();
     void theCriticalPageIsOutlinedUntilItIsWritten();
     void anUpdateThatEndedBeforeItWroteSaysSo();
@@ -229,6 +230,31 @@ void FirmwareTest::aCancelledUpdateSaysWhatIsKnownOfTheUnit()
     operation.update->remedy = say("run the update again");
     bench.workbench.publish();
     QVERIFY(bench.says(QStringLiteral("page 4 is the last that was written")));
+}
+
+/// Families whose flash a program beside this one writes: it is not to be cancelled before it has.
+void FirmwareTest::aCancelAfterAllWasWrittenIsNotSaidToLeaveTheOldProgram()
+{
+    for (const Family *family : families()) {
+        if (family->key != "abstractdc" && family->key != "supermodified")
+            continue;
+        FirmwareBench bench("sim:can", family);
+        bench.writing();
+        OperationView &operation = bench.workbench.shot.operations.front();
+        operation.status.update.pages = 31;
+        bench.workbench.publish();
+        const auto buttons = bench.page->findChildren<QPushButton *>();
+        QVERIFY(std::none_of(buttons.begin(), buttons.end(), [](const QPushButton *button) {
+            return button->toolTip().contains(QStringLiteral("Nothing is written"));
+        }));
+        operation.status.state = OperationStatus::State::Cancelled;
+        operation.update = UpdateReport{};
+        operation.update->outcome = UpdateOutcome::Cancelled;
+        operation.update->pages = 31;
+        bench.workbench.publish();
+        QVERIFY(bench.says(QStringLiteral("All of it is written")));
+        QVERIFY(!bench.says(QStringLiteral("Nothing is written")));
+    }
 }
 
 void FirmwareTest::theButtonOfAnotherBusIsFreeMeanwhile()

@@ -62,6 +62,7 @@ private Q_SLOTS:
     void aMemberThatMovesAlreadyIsPreparedByWhatItKeeps();
     void aStartThatIsRefusedHasNotBegun();
     void aLateAnswerSaysNothingOfMovesThatWerePreparedSince();
+    void nothingIsPreparedWhileTheLeadIsOnTrial();
 };
 
 void GroupMotionTest::aMemberThatTakesNoPartAnyMoreIsStopped()
@@ -123,6 +124,20 @@ void GroupMotionTest::aLateAnswerSaysNothingOfMovesThatWerePreparedSince()
     first.finished({});
     QVERIFY(!bench.group.isStarted());
     QVERIFY(bench.group.isPrepared());
+}
+
+void GroupMotionTest::nothingIsPreparedWhileTheLeadIsOnTrial()
+{
+    GroupBench bench;
+    bench.arming.runTrial({}, {}, {});
+    QVERIFY(bench.arming.isOnTrial(DeviceId{1}));
+    SetPoint move;
+    move.mode = Mode::Position;
+    QVERIFY(!bench.group.prepare({1}, {{{1}, move}, {{2}, move}}));
+    QVERIFY(!bench.group.isActive());
+    QVERIFY2(bench.workbench.given<orders::StartMotion>().empty(), "the others would be energised for nothing");
+    QVERIFY(!bench.workbench.lines.empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("experiment")));
 }
 
 MB_WINDOW_TEST(GroupMotionTest);

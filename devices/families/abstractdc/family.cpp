@@ -64,6 +64,7 @@ constexpr std::array programmers{
 constexpr UpdateWords programmed{
     .cancel = QT_TRANSLATE_NOOP("table",
         "Nothing is written yet. Where OpenOCD has halted the drive already it stands still: switch it off and on"),
+    .written = QT_TRANSLATE_NOOP("table", "All of it is written; whether the unit runs it is not known then"),
     .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
     .cut = QT_TRANSLATE_NOOP("table",
         "A unit that is cut while it is written holds half a program. It runs again once an update has succeeded."),

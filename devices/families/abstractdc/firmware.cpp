@@ -62,7 +62,7 @@ void mark(Progress &progress, const std::vector<int> &pages, PartState state)
 
 void show(const openocd::Reading &reading, Progress &progress)
 {
-    progress.mayInterrupt(reading.stage() == Stage::Connecting || reading.stage() == Stage::Over);
+    progress.mayInterrupt(reading.stage() == Stage::Connecting);
     progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
 }
 
@@ -184,13 +184,14 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     auto programming = program(
         static_cast<Controller &>(device), *job, summary->parts, takesSettings(image, options.target), progress);
     const Attempt attempt = co_await std::move(programming);
-    progress.mayInterrupt(true);
     if (attempt.error)
         co_return fail(*attempt.error);
+    report.pages = static_cast<int>(summary->parts.size());
+    progress.accepted(report.pages, 0);
+    progress.mayInterrupt(true);
     progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);
-    report.pages = static_cast<int>(summary->parts.size());
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     report.verified = answered;
     report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again")

@@ -95,7 +95,7 @@ void BoardLayout::forget()
 {
     m_changed = m_holds = false;
     m_before.reset();
-    m_rateEnded = m_wishes.highest() > 0.0;
+    m_rateOwed = m_wishes.highest() > 0.0;
     m_restarted = true;
     ++m_resets;
     m_streamPeriod = 0;
@@ -114,6 +114,14 @@ Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
 Task<bool> BoardLayout::resumeRate()
 {
     const Turns::Turn turn = co_await m_rateTurns.take();
+    auto following = followWishes();
+    const Result<bool> another = co_await std::move(following).attempt();
+    m_rateOwed = !another && (another.error().fault == Fault::Timeout || another.error().fault == Fault::LinkLost);
+    co_return another;
+}
+
+Task<bool> BoardLayout::followWishes()
+{
     const double wished = m_wishes.highest();
     if (wished <= 0.0) {
         if (!m_before)

@@ -32,12 +32,10 @@ public:
     /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line). With the
     /// last wish ends what the first one began. Yields whether the stream is another. Unsupported without a ready line.
     [[nodiscard]] Task<bool> setRate(ChannelIndex channel, double hertz);
-    /// What setRate() was asked for, once more: a reset ended it. Yields whether the stream is another.
+    /// What setRate() was asked for, once more. Yields whether the stream is another.
     [[nodiscard]] Task<bool> resumeRate();
-    /// A reset has ended a rate that is still wished for; once.
-    [[nodiscard]] bool takeEndedRate() { return std::exchange(m_rateEnded, false); }
-    /// Nobody answered: takeEndedRate() once more.
-    void resumeLater() { m_rateEnded = true; }
+    /// A reset has ended a rate that is still wished for, or nobody answered when one was set or put back; once.
+    [[nodiscard]] bool takeOwedRate() { return std::exchange(m_rateOwed, false); }
 
     /// Of every axis.
     [[nodiscard]] bool tellsEverything() const;
@@ -64,6 +62,7 @@ private:
     };
     void detectReset(const DataMasks &masks);
     [[nodiscard]] Task<void> expectNoReset();
+    [[nodiscard]] Task<bool> followWishes();
     [[nodiscard]] Task<void> begin(std::uint16_t period);
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] Task<void> putMasksBack(DataMasks before);
@@ -73,7 +72,7 @@ private:
     Owner m_owner;
     Turns m_rateTurns; ///< one rate at a time
     FrameRate m_wishes;
-    bool m_rateEnded = false;
+    bool m_rateOwed = false;
     std::uint16_t m_streamPeriod = 0;
     std::optional<Stream> m_before; ///< what the stream of ours replaced
     bool m_holds = false;           ///< what a reset undoes, and is not of the stream

@@ -133,19 +133,28 @@ void Controller::look()
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
-        m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &) { m_checking = false; });
-    }
-    if (m_heard && gate().busy().empty() && m_layout.takeEndedRate())
-        m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
-            if (another && *another)
-                breakLines();
-            else if (!another && another.error().fault == Fault::Timeout)
-                m_layout.resumeLater();
+        m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &answered) {
+            m_checking = false;
+            if (answered)
+                followOwedRate();
         });
+    }
+    if (m_heard)
+        followOwedRate();
     if (!m_poll.isActive())
         schedulePoll();
     updateLiveness();
     m_look.startIn(lookPeriod, [this] { look(); });
+}
+
+void Controller::followOwedRate()
+{
+    if (!gate().busy().empty() || !m_layout.takeOwedRate())
+        return;
+    m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
+        if (another && *another)
+            breakLines();
+    });
 }
 
 void Controller::onReset()

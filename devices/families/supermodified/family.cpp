@@ -46,6 +46,7 @@ constexpr std::array programmers{
 };
 constexpr UpdateWords programmedWords{
     .cancel = QT_TRANSLATE_NOOP("table", "Nothing is written yet; the update can be run again"),
+    .written = QT_TRANSLATE_NOOP("table", "All of it is written; whether the unit runs it is not known then"),
     .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
     .cut = QT_TRANSLATE_NOOP("table",
         "A unit that is cut while it is written holds half a program. It runs again once an update has succeeded."),

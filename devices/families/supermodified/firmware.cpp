@@ -241,6 +241,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     const auto opened = co_await std::move(ending).attempt();
     if (!programmed)
         co_return fail(programmed.error());
+    progress.accepted(static_cast<int>(inspect(image)->parts.size()), 0);
     if (!opened)
         co_return fail(opened.error().about(
             say("avrdude read back all %1 bytes and they are equal, but the port is away", image.byteCount())));

@@ -24,13 +24,10 @@ Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
     , m_events(std::move(events))
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
     , m_releasing(line.driven().releasing().add([this](DrivenNodes::Release &release) {
-        const auto kept = release.isBegun ? m_gate.moveReleased() : std::nullopt;
-        if (kept) {
-            begun(*kept);
-            m_events.changed();
-        } else if (!release.isBegun && release.allowed) {
+        if (release.isBegun)
+            released();
+        else if (release.allowed)
             release.allowed = mayBegin();
-        }
     }))
 {
 }
@@ -142,9 +139,9 @@ void Motion::send(Step step)
     m_line.roster().noteSetting(m_node.id, static_cast<Command>(request->frame.command), std::nullopt);
     m_step = step;
     ++m_tries;
-    m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
     if (step == Step::Move && m_orders.front().buffered)
-        m_gate.moveSent();
+        request->left = [this] { m_gate.moveSent(); };
+    m_ticket = m_line.submit(*request, [this, step](const Result<Frame> &reply) { answered(step, reply); });
     if (step == Step::Start) {
         ++m_starts;
         m_count.startSent();
@@ -180,6 +177,8 @@ void Motion::answered(Step step, const Result<Frame> &reply)
 void Motion::refused(Step step, std::span<const std::uint8_t> codes)
 {
     const std::vector<std::uint8_t> kept(codes.begin(), codes.end());
+    if (step == Step::Move && m_orders.front().buffered)
+        m_gate.moveRefused();
     m_events.codes(kept);
     if (m_failure || m_stop.isPending()) // the listener heard of a stall, or stopped
         return;
@@ -213,7 +212,6 @@ void Motion::done(Step step, const Frame &reply)
     case Step::Velocity:
     case Step::Acceleration: stored(step); break;
     case Step::Move:
-        m_count.took(order);
         if (order.buffered)
             m_gate.moveAcknowledged(order);
         else
@@ -243,6 +241,7 @@ void Motion::stored(Step step)
 /// The node moves to it now.
 void Motion::begun(const SetPoint &order)
 {
+    m_count.began(order);
     m_applied = order;
     m_applied->buffered = false; // once more it would be kept
     m_run.reset();
@@ -276,9 +275,21 @@ Result<void> Motion::release()
         return allowed;
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
-    tell.left = [this] { m_line.driven().released(); };
+    tell.left = [&driven = m_line.driven()] { driven.released(); }; // even when nobody waits for it any more
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
     return {};
+}
+
+/// DoMove is on the wire.
+void Motion::released()
+{
+    const bool keptOne = m_gate.keepsMove();
+    if (const auto kept = m_gate.moveReleased()) {
+        begun(*kept);
+        m_events.changed();
+    } else if (keptOne) { // nobody knows which
+        m_count.doubted();
+    }
 }
 
 /// The move that it keeps, from where the motor is by now.
@@ -297,8 +308,7 @@ Result<void> Motion::mayBegin() const
         return mb::fail(Fault::Unsafe,
             say("number %1 still keeps a move that was stopped before it began, and would begin it too", m_node.id),
             say("give it a new one, or switch it off and on"));
-    const SetPoint &order = kept.order;
-    return order.relative ? Result<void>() : bounds().checkReach(order, m_count.stepOf(order, m_energized));
+    return bounds().checkReach(kept.order, m_count.stepOf(kept.order, m_energized));
 }
 
 void Motion::reassert()

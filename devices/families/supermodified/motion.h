@@ -71,6 +71,7 @@ public:
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
     [[nodiscard]] Result<void> mayBegin() const;
+    void released();
     void begun(const SetPoint &order);
     void pump();
     [[nodiscard]] Step nextStep() const;

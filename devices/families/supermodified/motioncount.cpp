@@ -72,17 +72,13 @@ void MotionCount::started()
     m_startSentAt.reset();
 }
 
-void MotionCount::took(const SetPoint &setPoint)
+void MotionCount::began(const SetPoint &setPoint)
 {
     m_halted = isHold(setPoint);
-    if (m_halted) {
+    if (!m_halted)
+        m_setPoint = after(setPoint);
+    else
         m_setPoint = m_position ? std::optional(Range{*m_position, *m_position}) : std::nullopt;
-        return;
-    }
-    auto next = after(setPoint);
-    if (setPoint.buffered) // it is done later, or never
-        next = next && m_setPoint ? std::optional(next->with(*m_setPoint)) : std::nullopt;
-    m_setPoint = next;
 }
 
 /// A velocity moves the set-point on and on; a profile begins where the motor or the set-point is, and moves it to the target.

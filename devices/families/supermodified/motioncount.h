@@ -46,8 +46,8 @@ public:
     /// since, and the origin is another one.
     [[nodiscard]] bool mayHaveStarted(std::int64_t raw);
     void started();
-    /// The node took this order.
-    void took(const SetPoint &setPoint);
+    /// The node does this order now.
+    void began(const SetPoint &setPoint);
     /// Somebody else may have moved it.
     void doubted();
     /// The node was stopped and counts from 0, and so do set-points.
