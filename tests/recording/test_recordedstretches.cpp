@@ -77,8 +77,8 @@ TEST(RecordedStretches, AnExportAfterTheComputerSleptHasTheTimesOfBeforeAndAfter
     plan.channels = {{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}};
     plan.from = ms(60);
     plan.to = ms(100);
-    plan.sleeps = hourAfter70ms();
-    plan.unixOffset = unixOffset - 5s; // the clock is the world's, which has been slept for before
+    plan.clock.sleeps = hourAfter70ms();
+    plan.clock.offset = unixOffset - 5s; // the clock is the world's, which has been slept for before
     ASSERT_TRUE(exportMcap(plan, folder.file("a.mcap"), {}));
     const auto loaded = loadRecording(folder.file("a.mcap"));
     ASSERT_TRUE(loaded);
