@@ -12,7 +12,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace mb {
@@ -27,8 +26,8 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
     chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
     if (!open)
         chip.word = QCoreApplication::translate("mb::MainWindow", "lost");
-    else if (const double load = loadOf(link); !std::isnan(load))
-        chip.load = load;
+    else
+        chip.load = loadOf(link);
     chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
     const QString counts = link.kind == LinkKind::Can
         ? QCoreApplication::translate("mb::MainWindow", "%1: %2 frames received, %3 sent, %4 dropped, %5 errors")

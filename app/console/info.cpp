@@ -109,7 +109,9 @@ void addBus(Table &table, Console &console, const CanLink &link)
     if (health.transmitErrors && health.receiveErrors)
         bus += ", " + std::to_string(*health.transmitErrors) + " transmit and " + std::to_string(*health.receiveErrors)
             + " receive errors";
-    table.add({"bus", bus + ", load " + numberText(std::round(link.load(console.clock().now()) * 100)) + " %"});
+    if (const auto load = link.load(console.clock().now()))
+        bus += ", load " + numberText(std::round(*load * 100)) + " %";
+    table.add({"bus", bus});
     if (health.lastError)
         table.add({"last error", describe(health.last).english()});
     const auto found = diagnose(symptomsOf(link, console.clock().now()), console.clock().now(), listLinks());

@@ -16,15 +16,14 @@ namespace mb::console {
 namespace {
 
 constexpr int keepAliveSeconds = 30; // s
-constexpr std::chrono::seconds brokerTime(5);
 constexpr std::chrono::seconds finishTime(2);
 
 } // namespace
 
-Result<std::unique_ptr<Publisher>> MqttPublisher::open(const PublishAddress &address)
+Result<std::unique_ptr<Publisher>> MqttPublisher::open(const PublishAddress &address, Duration limit)
 {
     auto publisher = std::make_unique<MqttPublisher>(address.topic);
-    if (auto connected = publisher->connect(address); !connected)
+    if (auto connected = publisher->connect(address, limit); !connected)
         return fail(connected.error());
     return publisher;
 }
@@ -52,20 +51,20 @@ MqttPublisher::~MqttPublisher()
     mosquitto_lib_cleanup();
 }
 
-Result<void> MqttPublisher::connect(const PublishAddress &address)
+Result<void> MqttPublisher::connect(const PublishAddress &address, Duration limit)
 {
-    const std::string name = "mqtt://" + address.host + ':' + std::to_string(address.port);
     const int status = mosquitto_connect(m_client, address.host.c_str(), address.port, keepAliveSeconds);
     if (status != MOSQ_ERR_SUCCESS)
         return fail(Fault::LinkLost,
-            say("%1: %2", name, (status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status))),
+            say("%1: %2", address.name(),
+                (status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status))),
             say("start the broker, or name the host that it runs on"));
     mosquitto_loop_start(m_client);
     std::unique_lock lock(m_lock);
-    if (!m_told.wait_for(lock, brokerTime, [this] { return m_answer >= 0; }))
-        return fail(Fault::LinkLost, say("%1 does not answer", name), say("check that an MQTT broker listens there"));
+    if (!m_told.wait_for(lock, limit, [this] { return m_answer >= 0; }))
+        return fail(silence(address));
     if (m_answer != 0)
-        return fail(Fault::LinkLost, say("%1 refuses: %2", name, mosquitto_connack_string(m_answer)),
+        return fail(Fault::LinkLost, say("%1 refuses: %2", address.name(), mosquitto_connack_string(m_answer)),
             say("allow clients without a name and password there"));
     return {};
 }

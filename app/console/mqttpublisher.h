@@ -14,7 +14,8 @@ namespace mb::console {
 /// libmosquitto, which connects again by itself; what comes meanwhile is dropped and counted.
 class MqttPublisher final : public Publisher {
 public:
-    [[nodiscard]] static Result<std::unique_ptr<Publisher>> open(const PublishAddress &address);
+    /// Waits for the broker, `limit` at most once its host has taken the connection.
+    [[nodiscard]] static Result<std::unique_ptr<Publisher>> open(const PublishAddress &address, Duration limit);
 
     explicit MqttPublisher(std::string topic);
     MqttPublisher(const MqttPublisher &) = delete;
@@ -28,7 +29,7 @@ protected:
         std::string_view unit) override;
 
 private:
-    [[nodiscard]] Result<void> connect(const PublishAddress &address);
+    [[nodiscard]] Result<void> connect(const PublishAddress &address, Duration limit);
     void answer(int code);
     void count(int more);
 

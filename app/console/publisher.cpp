@@ -71,6 +71,12 @@ Result<PublishAddress> PublishAddress::parse(const std::string &text)
     return address;
 }
 
+Error silence(const PublishAddress &address)
+{
+    return {Fault::LinkLost, say("%1 does not answer", address.name()),
+        address.scheme == "mqtt" ? say("check that an MQTT broker listens there") : say("check the name of the host")};
+}
+
 void Publisher::publish(
     const std::string &device, std::string_view channel, double seconds, double value, std::string_view unit)
 {

@@ -17,9 +17,14 @@ struct PublishAddress {
     int port = 0;
     std::string topic; ///< mqtt only
 
+    /// "mqtt://HOST:PORT"
+    [[nodiscard]] std::string name() const { return scheme + "://" + host + ':' + std::to_string(port); }
     /// OutOfRange for anything else, with what is taken.
     [[nodiscard]] static Result<PublishAddress> parse(const std::string &text);
 };
+
+/// That nobody answers there.
+[[nodiscard]] Error silence(const PublishAddress &address);
 
 /// Sends samples to another program as they come; never waits, never listens, and counts what did not go. One thread.
 class Publisher {

@@ -146,10 +146,8 @@ Task<int> watch(Console &console, WatchArguments arguments)
         co_return fail(plan.error());
     std::unique_ptr<Publisher> publisher;
     if (plan->to) {
-        auto opened = openPublisher(*plan->to);
-        if (!opened)
-            co_return fail(opened.error());
-        publisher = std::move(*opened);
+        auto opening = openPublisher(console, *plan->to);
+        publisher = co_await std::move(opening);
     }
     Ending ending(console);
     auto connecting = connect(console, plan->target);

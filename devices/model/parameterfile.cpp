@@ -30,7 +30,9 @@ Result<OptionalRaw> rawOf(const Parameter &parameter, const QJsonValue &raw)
     if (!raw.isDouble() || number != std::floor(number))
         return fail(
             Fault::OutOfRange, say("%1: raw is not a whole number", key), say("delete it, the value says the same"));
-    if (!isLegal(parameter, static_cast<std::int64_t>(number)))
+    const RawRange wire = rangeOf(parameter.type); // what does not fit cannot be cast either
+    if (number < static_cast<double>(wire.low) || number > static_cast<double>(wire.high)
+        || !isLegal(parameter, static_cast<std::int64_t>(number)))
         return fail(Fault::OutOfRange, say("%1: raw value %2 is out of range", key, number));
     return OptionalRaw(static_cast<std::int64_t>(number));
 }

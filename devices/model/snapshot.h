@@ -28,7 +28,7 @@ struct LinkView {
     int scanDone = 0;
     int scanTotal = 0;
     int bitrate = 0;
-    double load = 0.0;                 ///< 0…1
+    std::optional<double> load; ///< 0…1; nothing before it was measured for a second, or where the rate is not known
     std::optional<Duration> roundTrip; ///< of serial links, smoothed; nothing before the first answer
     LinkCounters counters;
     BusHealth health;          ///< of a CAN link

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "async/sleeplog.h"
+#include "async/wallclock.h"
 #include "model/snapshot.h"
 #include "recording/mcapformat.h"
 
@@ -40,14 +40,9 @@ struct ExportPlan {
     std::vector<ExportChannel> channels;
     Instant from{};
     Instant to{};
-    Duration unixOffset{}; ///< what to add to a time stamp to get Unix time, but for what the computer has slept
-    SleepLog sleeps;
+    WallClock clock;
     std::vector<std::pair<std::string, mcap::Map>> about; ///< of devices: see describe()
     std::vector<TimedNote> notes;
-    [[nodiscard]] Duration unixTime(Instant time) const
-    {
-        return time.time_since_epoch() + unixOffset + sleeps.sleptAt(time);
-    }
 };
 
 struct ExportReport {

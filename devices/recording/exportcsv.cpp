@@ -54,8 +54,8 @@ std::string oneLine(std::string text)
 /// Everything that is not a number.
 std::string headOf(const ExportPlan &plan)
 {
-    std::string head = "# MotorBench recording\n# time_s 0 is " + isoTime(plan.unixTime(plan.from)) + " (Unix "
-        + numberText(seconds(plan.unixTime(plan.from))) + ")\n";
+    std::string head = "# MotorBench recording\n# time_s 0 is " + isoTime(plan.clock.unixTime(plan.from)) + " (Unix "
+        + numberText(seconds(plan.clock.unixTime(plan.from))) + ")\n";
     for (const auto &[name, facts] : plan.about) {
         for (const auto &[key, value] : facts)
             head += "# " + name + ": " + key + " = " + oneLine(value) + '\n';
@@ -71,7 +71,7 @@ std::string headOf(const ExportPlan &plan)
             head += "# simulated: " + channel.title() + '\n';
     }
     for (const TimedNote &note : plan.notes)
-        head += "# note " + numberText(seconds(plan.unixTime(note.time) - plan.unixTime(plan.from)))
+        head += "# note " + numberText(seconds(plan.clock.unixTime(note.time) - plan.clock.unixTime(plan.from)))
             + " s: " + oneLine(note.text) + '\n';
     head += "time_s";
     for (const ExportChannel &channel : plan.channels)
@@ -110,7 +110,7 @@ public:
         if (m_empty)
             return;
         std::array<char, 40> time{};
-        const double since = seconds(plan.unixTime(m_time) - plan.unixTime(plan.from));
+        const double since = seconds(plan.clock.unixTime(m_time) - plan.clock.unixTime(plan.from));
         out.append(time.data(), // with a dot in every locale
             std::to_chars(time.data(), time.data() + time.size(), since, std::chars_format::fixed, 6).ptr);
         for (std::string &field : m_fields) {

@@ -39,7 +39,8 @@ Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path,
     for (const auto &[name, facts] : lossOf(plan))
         (*writer)->metadata(name, facts);
     for (const TimedNote &note : plan.notes)
-        (*writer)->metadata("note", {{"time", std::to_string(plan.unixTime(note.time).count())}, {"text", note.text}});
+        (*writer)->metadata(
+            "note", {{"time", std::to_string(plan.clock.unixTime(note.time).count())}, {"text", note.text}});
     std::vector<std::uint16_t> ids;
     for (const ExportChannel &channel : plan.channels)
         ids.push_back((*writer)->addChannel({channel.topic(), aboutChannel(channel)}));
@@ -47,8 +48,8 @@ Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path,
     MergedSamples samples(plan);
     const auto span = static_cast<double>(std::max<std::int64_t>((plan.to - plan.from).count(), 1));
     while (const auto next = samples.next()) {
-        (*writer)->write(
-            ids[next->channel], plan.unixTime(next->point.time).count(), next->point.value, next->lost, next->gap);
+        (*writer)->write(ids[next->channel], plan.clock.unixTime(next->point.time).count(), next->point.value,
+            next->lost, next->gap);
         report.lost += next->lost;
         if (++report.samples % lookEverySamples == 0 && progress
             && !progress(static_cast<double>((next->point.time - plan.from).count()) / span))

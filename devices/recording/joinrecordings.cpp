@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <tuple>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -36,8 +37,16 @@ std::string factOf(const mcap::Map &about, const char *key)
     return found == about.end() ? std::string() : found->second;
 }
 
-/// Files that follow each other, in one writer: a topic of several in one unit and of one serial number is one channel, of their facts
-/// the last counts.
+/// False for a file that was cut before its first channel: it has nothing. Refused for one that cannot be read, now at least.
+Result<bool> readWith(const McapReader &reader, const std::string &path)
+{
+    const auto read = reader.read(path);
+    if (!read && read.error().fault == Fault::Refused)
+        return fail(read.error());
+    return read.has_value();
+}
+
+/// Files that follow each other, in one writer. Each is read twice: a channel has its serial number before its first sample.
 class Joint {
 public:
     explicit Joint(McapWriter &writer)
@@ -45,22 +54,28 @@ public:
     {
     }
 
-    /// False for a file that was cut before its first channel: it has nothing. Refused for one that cannot be read, now at least.
+    Result<bool> learn(const std::string &path)
+    {
+        McapReader reader;
+        reader.channel = [&](std::uint16_t, const std::string &, const mcap::Map &about) {
+            if (about.contains(trackFact) && about.contains("serial"))
+                m_serials[about.at(trackFact)] = about.at("serial");
+        };
+        return readWith(reader, path);
+    }
     Result<bool> add(const std::string &path)
     {
         std::map<std::uint16_t, std::uint16_t> ids;
         McapReader reader;
-        reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
-            const auto known
-                = std::ranges::find_if(m_channels, [&](const Channel &channel) { return channel.isOf(topic, about); });
-            if (known == m_channels.end()) {
-                ids[id] = m_writer.addChannel({topic, about});
-                m_channels.push_back({topic, about, ids[id]});
-                return;
-            }
-            ids[id] = known->id;
-            if (factOf(known->about, "serial").empty())
-                known->about = about;
+        reader.channel = [&](std::uint16_t id, const std::string &topic, mcap::Map about) {
+            if (const auto told = m_serials.find(factOf(about, trackFact)); told != m_serials.end())
+                about["serial"] = told->second;
+            about.erase(trackFact);
+            const auto [known, isNew]
+                = m_ids.try_emplace({topic, factOf(about, "unit"), factOf(about, "serial")}, std::uint16_t{0});
+            if (isNew)
+                known->second = m_writer.addChannel({topic, std::move(about)});
+            ids[id] = known->second;
         };
         reader.metadata = [&](const std::string &name, const mcap::Map &map) {
             if (name == "note")
@@ -73,10 +88,7 @@ public:
             ++m_report.samples;
             m_report.lost += lost;
         };
-        const auto read = reader.read(path);
-        if (!read && read.error().fault == Fault::Refused)
-            return fail(read.error());
-        return read.has_value();
+        return readWith(reader, path);
     }
     void addFacts()
     {
@@ -86,22 +98,10 @@ public:
     [[nodiscard]] const ExportReport &report() const { return m_report; }
 
 private:
-    struct Channel {
-        std::string topic;
-        mcap::Map about;
-        std::uint16_t id = 0;
-        /// It may not have told its serial number in the one or the other.
-        [[nodiscard]] bool isOf(const std::string &other, const mcap::Map &facts) const
-        {
-            const std::string serial = factOf(facts, "serial");
-            const std::string known = factOf(about, "serial");
-            return topic == other && factOf(about, "unit") == factOf(facts, "unit")
-                && (known == serial || known.empty() || serial.empty());
-        }
-    };
     McapWriter &m_writer;
     ExportReport m_report;
-    std::vector<Channel> m_channels;
+    std::map<std::string, std::string> m_serials;                                     ///< by trackFact
+    std::map<std::tuple<std::string, std::string, std::string>, std::uint16_t> m_ids; ///< by topic, unit, serial number
     std::map<std::string, mcap::Map> m_facts;
 };
 
@@ -118,13 +118,14 @@ Result<ExportReport> joinRecordings(
         return fail(writer.error());
     Joint joint(**writer);
     bool anything = false;
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (progress && !progress(static_cast<double>(i) / static_cast<double>(paths.size())))
+    const std::size_t steps = 2 * paths.size();
+    for (std::size_t i = 0; i < steps; ++i) {
+        if (progress && !progress(static_cast<double>(i) / static_cast<double>(steps)))
             return fail(Fault::Cancelled);
-        const auto added = joint.add(paths[i]);
-        if (!added)
-            return fail(added.error());
-        anything = anything || *added;
+        const auto read = i < paths.size() ? joint.learn(paths[i]) : joint.add(paths[i - paths.size()]);
+        if (!read)
+            return fail(read.error());
+        anything = anything || *read;
     }
     if (!anything)
         return fail(Fault::Unsupported, say("nothing has been recorded yet"));

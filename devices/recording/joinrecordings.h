@@ -8,8 +8,11 @@
 
 namespace mb {
 
-/// Several files of McapWriter as one: topics and facts joined. Nothing is left at `path` where it fails: Unsupported where they
-/// have nothing, Refused where one of them cannot be read.
+/// A fact of a channel in files that are joined: channels that have the same are one unit's, though it told its serial number late.
+inline constexpr const char *trackFact = "track";
+
+/// Several files of McapWriter as one: a topic of one unit and one serial number is one channel, and of facts the last count. Nothing
+/// is left at `path` where it fails: Unsupported where they have nothing, Refused where one of them cannot be read.
 [[nodiscard]] Result<ExportReport> joinRecordings(
     const std::vector<std::string> &paths, const std::string &path, const ExportProgress &progress);
 

@@ -26,6 +26,19 @@ std::size_t bytesOf(const mcap::Map &facts)
     return sum;
 }
 
+/// Another unit may have had the number before.
+std::string freeTitle(const LoadedRecording &loaded, std::string title, const std::string &serial)
+{
+    const auto isTaken = [&] {
+        return std::ranges::find(loaded.table, std::string_view(title), &Channel::key) != loaded.table.end();
+    };
+    if (!serial.empty() && isTaken())
+        title += ' ' + serial;
+    if (isTaken())
+        title += " (" + std::to_string(loaded.table.size() + 1) + ')';
+    return title;
+}
+
 /// The second pass over a file, whose channels are known.
 Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
     std::map<std::uint16_t, std::uint16_t> &places, std::uint64_t mostSamples)
@@ -65,9 +78,7 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::
             const auto found = about.find(key);
             return found == about.end() ? std::string() : found->second;
         };
-        std::string title = fact("title").empty() ? topic : fact("title");
-        if (std::ranges::find(loaded->table, std::string_view(title), &Channel::key) != loaded->table.end())
-            title += fact("serial").empty() ? "" : ' ' + fact("serial"); // another unit had the number before
+        const std::string title = freeTitle(*loaded, fact("title").empty() ? topic : fact("title"), fact("serial"));
         loaded->simulated = loaded->simulated || fact("simulated") == "true";
         places[id] = static_cast<std::uint16_t>(loaded->table.size());
         addLoadedChannel(*loaded, title, fact("unit"));

@@ -7,7 +7,7 @@ namespace mb {
 
 MergedSamples::MergedSamples(const ExportPlan &plan)
     : m_to(plan.to)
-    , m_sleeps(plan.sleeps)
+    , m_sleeps(plan.clock.sleeps)
 {
     for (const ExportChannel &channel : plan.channels) {
         m_sources.push_back({SampleCursor(channel.telemetry, channel.channel, plan.from),

@@ -116,7 +116,9 @@ void RollingRecorder::follow(
 
 void RollingRecorder::addToFile(Tracked &tracked)
 {
-    tracked.id = m_writer->addChannel({tracked.channel.topic(), aboutChannel(tracked.channel)});
+    mcap::Map about = aboutChannel(tracked.channel);
+    about[trackFact] = std::to_string(tracked.number);
+    tracked.id = m_writer->addChannel({tracked.channel.topic(), std::move(about)});
 }
 
 void RollingRecorder::note(Instant time, const std::string &text)

@@ -51,6 +51,7 @@ UnitRun::UnitRun(
     if (m_trusted > 0) { // it may be another unit than the one that was cut off here
         m_visit.from.clear();
         m_visit.to.clear();
+        m_visit.unproved = false;
         m_visit.snapshot.reset();
         m_visit.trial.reset();
         m_visit.test.clear();

@@ -72,7 +72,7 @@ struct Visit {
     Outcome outcome = Outcome::Open;
     std::string from;              ///< firmware before
     std::string to;                ///< firmware afterwards
-    bool unproved = false;         ///< it was written, and told the same before; of this run of the program only
+    bool unproved = false;         ///< it was written, and told the same before
     std::optional<int> parameters; ///< values of the recipe that were read back
     std::vector<TestValue> test;
     std::optional<int> number;            ///< that it was given

@@ -199,9 +199,14 @@ constexpr const char *eighthSchema = R"(
 ALTER TABLE trial ADD COLUMN program TEXT NOT NULL DEFAULT '';
 )";
 
-constexpr std::array versions{
-    firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema, seventhSchema, eighthSchema};
-constexpr std::array journalVersions{fifthSchema, sixthSchema};
+/// That new firmware was written to a unit and nothing proves it. For a shared journal as well.
+constexpr const char *ninthSchema = R"(
+ALTER TABLE service_visit ADD COLUMN unproved BIGINT NOT NULL DEFAULT 0;
+)";
+
+constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema,
+    seventhSchema, eighthSchema, ninthSchema};
+constexpr std::array journalVersions{fifthSchema, sixthSchema, ninthSchema};
 
 } // namespace
 

@@ -23,7 +23,7 @@ constexpr const char *visitColumns
       "serial, device, family, simulated, "
       "step, outcome, firmware_before, firmware_after, parameters, test, number, snapshot, "
       "trial, seconds, cause, remedy, "
-      "evidence, note, ending";
+      "evidence, note, ending, unproved";
 
 template <class Number> QVariant sqlOrNull(const std::optional<Number> &number)
 {
@@ -48,7 +48,8 @@ QVariantList visitValues(const KeptVisit &kept)
         qt(v.recipe), qt(v.recipeHash), qt(v.imageHash), qt(v.unit), qt(v.serial), qt(v.device), qt(v.family),
         v.simulated ? 1 : 0, qt(toString(v.step)), qt(toString(v.outcome)), qt(v.from), qt(v.to),
         sqlOrNull(v.parameters), testText(v.test), sqlOrNull(v.number), sqlOrNull(v.snapshot), sqlOrNull(v.trial),
-        v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note), qt(toString(v.ending))};
+        v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note), qt(toString(v.ending)),
+        v.unproved ? 1 : 0};
 }
 
 KeptVisit visitFrom(const QSqlQuery &row)
@@ -84,6 +85,7 @@ KeptVisit visitFrom(const QSqlQuery &row)
     v.evidence = messageFrom(textAt(row, 26));
     v.note = textAt(row, 27);
     v.ending = service::endingFromString(textAt(row, 28));
+    v.unproved = row.value(29).toInt() != 0;
     return kept;
 }
 

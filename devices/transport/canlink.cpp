@@ -33,7 +33,7 @@ Duration CanLink::wireTime(const CanFrame &frame) const
     return rate > 0 ? Duration(std::chrono::seconds(1)) * bitsOnWire(frame) / rate : Duration::zero();
 }
 
-double CanLink::load(Instant now) const
+std::optional<double> CanLink::load(Instant now) const
 {
     return m_load.fraction(now, bitrate() > 0 ? bitrate() : 1'000'000);
 }

@@ -49,8 +49,8 @@ public:
     /// How long a frame takes on the wire; zero when the link does not know its rate.
     [[nodiscard]] Duration wireTime(const CanFrame &frame) const;
     /// Fraction of the bus in use over the last second of traffic, ours included, from estimated frame lengths;
-    /// `now` is the present time. 1 Mbit/s is assumed when the rate is unknown.
-    [[nodiscard]] double load(Instant now) const;
+    /// `now` is the present time. Nothing in the first second; 1 Mbit/s is assumed when the rate is unknown.
+    [[nodiscard]] std::optional<double> load(Instant now) const;
 
     [[nodiscard]] const BusHealth &health() const { return m_health; }
     /// How many frames the kernel keeps for us while nobody reads; 0 when the link does not know.
@@ -91,6 +91,7 @@ protected:
     void setStuckSince(std::optional<Instant> since) { m_health.stuckSince = since; }
 
 private:
+    void opened() final { m_load.begin(m_clock.now()); }
     virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     [[nodiscard]] virtual int doBitrate() const = 0;

@@ -5,36 +5,46 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 namespace mb {
 
 /// How much of a line is in use, over whole seconds of its traffic.
 class LineLoad {
 public:
+    /// What passes counts from now on.
+    void begin(Instant time)
+    {
+        *this = {};
+        m_second = time;
+    }
     /// `bits` on the wire at `time`; times do not run backwards.
     void count(Instant time, std::uint64_t bits)
     {
-        if (time - m_second >= window) {
-            m_bitsBefore = time - m_second < 2 * window ? m_bits : 0;
+        if (!m_second)
+            begin(time);
+        if (const auto age = time - *m_second; age >= window) {
+            m_bitsBefore = age < 2 * window ? m_bits : 0;
             m_bits = 0;
             m_second = time;
         }
         m_bits += bits;
     }
-    /// Fraction of `bitrate` in use, 0…1.
-    [[nodiscard]] double fraction(Instant now, int bitrate) const
+    /// Fraction of `bitrate` in use, 0…1; nothing before the first second is over, and where the rate is not known.
+    [[nodiscard]] std::optional<double> fraction(Instant now, int bitrate) const
     {
-        const auto age = now - m_second;
-        if (age >= 2 * window || bitrate <= 0)
-            return 0.0;
-        return std::min(1.0, static_cast<double>(age >= window ? m_bits : m_bitsBefore) / bitrate);
+        const Duration age = m_second ? now - *m_second : Duration::zero();
+        const auto bits = age >= 2 * window ? std::uint64_t{0} : age >= window ? m_bits : m_bitsBefore;
+        if (!bits || bitrate <= 0)
+            return std::nullopt;
+        return std::min(1.0, static_cast<double>(*bits) / bitrate);
     }
 
 private:
     static constexpr Duration window = std::chrono::seconds(1);
-    Instant m_second{};
+    std::optional<Instant> m_second;
     std::uint64_t m_bits = 0;
-    std::uint64_t m_bitsBefore = 0;
+    std::optional<std::uint64_t> m_bitsBefore;
 };
 
 } // namespace mb

@@ -131,6 +131,8 @@ private:
     /// For backends whose doOpen() may block.
     [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
+    /// It is open now, for the first time or again.
+    virtual void opened() { }
     [[nodiscard]] Result<void> beginOpening();
     [[nodiscard]] Result<void> endOpening();
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }

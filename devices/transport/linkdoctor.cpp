@@ -151,7 +151,7 @@ LinkSymptoms symptomsOf(const Link &link, Instant now)
     const auto &can = static_cast<const CanLink &>(link);
     seen.health = can.health();
     seen.bitrate = can.bitrate();
-    seen.load = can.load(now);
+    seen.load = can.load(now).value_or(0.0);
     seen.listenOnly = can.isListenOnly();
     seen.receiveCapacity = can.receiveCapacity();
     seen.backlog = can.backlog();

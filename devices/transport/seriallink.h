@@ -51,8 +51,8 @@ public:
     [[nodiscard]] std::optional<int> fixedBaudrate() const { return m_fixed; }
     /// Of one byte on the wire: ten bits.
     [[nodiscard]] Duration byteTime() const { return bitTimes(10); }
-    /// Fraction of the line in use over the last second of traffic, ours included.
-    [[nodiscard]] double load(Instant now) const { return m_load.fraction(now, m_baudrate); }
+    /// Fraction of the line in use over the last second of traffic, ours included; nothing in the first.
+    [[nodiscard]] std::optional<double> load(Instant now) const { return m_load.fraction(now, m_baudrate); }
 
     /// What the user should know of this port although it could be opened, in one clause; empty most of the time.
     [[nodiscard]] const Message &remark() const { return m_remark; }
@@ -92,6 +92,7 @@ protected:
     void reportLineError();
 
 private:
+    void opened() final { m_load.begin(m_clock.now()); }
     virtual Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     /// Only while the link is open.

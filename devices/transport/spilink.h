@@ -60,8 +60,8 @@ public:
 
     /// Hz of the bus clock, 0 when the link does not know.
     [[nodiscard]] int clockRate() const { return m_clockRate; }
-    /// Fraction of the clock in use over the last second of transfers; 0 when its rate is not known.
-    [[nodiscard]] double load(Instant now) const { return m_load.fraction(now, m_clockRate); }
+    /// Fraction of the clock in use over the last second of transfers; nothing in the first, and when its rate is not known.
+    [[nodiscard]] std::optional<double> load(Instant now) const { return m_load.fraction(now, m_clockRate); }
 
     /// Pulls the reset line low for 1 ms. Unsupported without the line.
     Result<void> pulseReset();
@@ -88,6 +88,7 @@ private:
         std::optional<Result<Bytes>> result;
         std::coroutine_handle<> waiting;
     };
+    void opened() final { m_load.begin(m_clock.now()); }
     /// Begins a transfer; only one at a time is under way.
     virtual void doTransfer(const Bytes &mosi) = 0;
     /// Asks for the level of the ready line, which setReady() then tells; for links that are not told of changes.

@@ -12,8 +12,6 @@
 namespace mb {
 namespace {
 
-constexpr unsigned long endLimit = 3000; ///< ms
-
 struct Job {
     std::function<void()> work;
     std::function<void()> done;
@@ -51,8 +49,9 @@ struct WorkerThreads::Shared {
     }
 };
 
-WorkerThreads::WorkerThreads(Mailbox &home)
+WorkerThreads::WorkerThreads(Mailbox &home, std::chrono::milliseconds endLimit)
     : m_shared(std::make_shared<Shared>())
+    , m_endLimit(endLimit)
 {
     m_shared->home = &home;
 }
@@ -64,7 +63,7 @@ WorkerThreads::~WorkerThreads()
         m_shared->home = nullptr;
     }
     for (auto &thread : m_threads) {
-        if (!thread->wait(endLimit))
+        if (!thread->wait(static_cast<unsigned long>(m_endLimit.count())))
             (void)thread.release(); // it may not be destroyed while it runs
     }
 }

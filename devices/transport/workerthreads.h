@@ -3,6 +3,7 @@
 
 #include "async/background.h"
 
+#include <chrono>
 #include <list>
 #include <memory>
 #include <string>
@@ -17,8 +18,8 @@ class Mailbox;
 class WorkerThreads final : public Background {
 public:
     /// `home` is drained by the thread that calls run(), and outlives this.
-    explicit WorkerThreads(Mailbox &home);
-    /// Waits for what is being done, three seconds a lane at most; what hangs longer is left to the end of the process.
+    explicit WorkerThreads(Mailbox &home, std::chrono::milliseconds endLimit = std::chrono::seconds(3));
+    /// Waits for what is being done, `endLimit` a lane at most; what hangs longer is left to the end of the process.
     ~WorkerThreads() override;
 
     void run(const std::string &lane, std::function<void()> work, std::function<void()> done) override;
@@ -28,6 +29,7 @@ private:
 
     std::shared_ptr<Shared> m_shared;
     std::list<std::unique_ptr<QThread>> m_threads;
+    std::chrono::milliseconds m_endLimit;
 };
 
 } // namespace mb

@@ -100,6 +100,57 @@ class Udp(ContractTest):
                 self.assert_error(2, "watch", CIM, "--for", "0.1", "--to", to)
 
 
+class SilentHost:
+    """Its queue of connections is full: who comes next gets no answer at all, not even that there is none."""
+
+    def __init__(self):
+        self.listener = socket.socket()
+        self.listener.bind(("127.0.0.1", 0))
+        self.listener.listen(0)
+        self.port = self.listener.getsockname()[1]
+        self.waiting = []
+        for _ in range(8):
+            client = socket.socket()
+            client.setblocking(False)
+            client.connect_ex(("127.0.0.1", self.port))
+            self.waiting.append(client)
+
+    def connecting(self):
+        """How many wait for an answer to their first packet."""
+        rows = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text(encoding="ascii").splitlines()[1:]]
+        return sum(row[2].endswith(f":{self.port:04X}") and row[3] == "02" for row in rows)
+
+    def close(self):
+        for client in [*self.waiting, self.listener]:
+            client.close()
+
+
+class Silent(ContractTest):
+    """Kept waiting for minutes by the kernel, unless the program has a limit of its own."""
+
+    def setUp(self):
+        self.host = SilentHost()
+        self.address = f"mqtt://127.0.0.1:{self.host.port}/bench"
+
+    def tearDown(self):
+        self.host.close()
+
+    def test_a_host_that_says_nothing_is_given_up_after_the_timeout(self):
+        self.assertGreater(self.host.connecting(), 0)
+        self.assert_error(5, "--timeout", "0.5", "watch", CIM, "--for", "0.1", "--to", self.address, says="does not answer")
+
+    def test_a_host_that_says_nothing_holds_up_no_signal(self):
+        before = self.host.connecting()
+        watch = subprocess.Popen([contract.PROGRAM, "--timeout", "3600", "watch", CIM, "--to", self.address],
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        end = time.monotonic() + LIMIT
+        while self.host.connecting() == before and time.monotonic() < end:
+            time.sleep(0.02)
+        watch.send_signal(signal.SIGINT)
+        _, err = watch.communicate(timeout=LIMIT)
+        self.assertIn("interrupted", err)
+
+
 class Mqtt(ContractTest):
     def setUp(self):
         if not BROKER or not SUBSCRIBER:

@@ -61,6 +61,15 @@ TEST(ParameterFile, RefusesAValueThatWasEditedBesideItsRawValue)
     EXPECT_EQ(taken(*agreeing, "slot0.p"), 98304);
 }
 
+TEST(ParameterFile, RefusesARawValueThatNoIntegerCanHold)
+{
+    for (const char *const raw : {"1e30", "-1e30", "9223372036854775808", "2147483648"}) {
+        const auto parsed = parseParameterFile(file(QByteArray("\"slot0.p\":{\"raw\":") + raw + "}"), family());
+        ASSERT_FALSE(parsed) << raw;
+        EXPECT_NE(parsed.error().text().find("out of range"), std::string::npos) << parsed.error().text();
+    }
+}
+
 TEST(ParameterFile, RefusesAKeyThatIsThereTwice)
 {
     const auto parsed = parseParameterFile(file("\n\"slot0.p\":{\"value\":1},\n\"slot0.p\":{\"value\":2}"), family());

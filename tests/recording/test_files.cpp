@@ -50,7 +50,7 @@ struct Bench {
                 std::string(channels[channel.value].key), std::string(channels[channel.value].unit), {}, true});
         plan.from = ms(0);
         plan.to = ms(10'000);
-        plan.unixOffset = unixOffset;
+        plan.clock.offset = unixOffset;
         plan.about = {{"device sim:can/dmc60c:5", {{"serial", "SN 7"}, {"name", "lift, \"left\"\nside"}}},
             {"parameters sim:can/dmc60c:5", {{"slot0.p", "1.5"}}}};
         plan.notes = {{ms(500), "load pulse"}};

@@ -3,6 +3,7 @@
 #include "recording/exportcsv.h"
 #include "recording/exportmcap.h"
 #include "recording/loadrecording.h"
+#include "recording/mcapreader.h"
 #include "recording/rollingrecorder.h"
 #include "recording/samplecursor.h"
 #include "recordingfolder.h"
@@ -76,8 +77,8 @@ TEST(RecordedStretches, AnExportAfterTheComputerSleptHasTheTimesOfBeforeAndAfter
     plan.channels = {{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}};
     plan.from = ms(60);
     plan.to = ms(100);
-    plan.sleeps = hourAfter70ms();
-    plan.unixOffset = unixOffset - 5s; // the clock is the world's, which has been slept for before
+    plan.clock.sleeps = hourAfter70ms();
+    plan.clock.offset = unixOffset - 5s; // the clock is the world's, which has been slept for before
     ASSERT_TRUE(exportMcap(plan, folder.file("a.mcap"), {}));
     const auto loaded = loadRecording(folder.file("a.mcap"));
     ASSERT_TRUE(loaded);
@@ -130,6 +131,82 @@ TEST(RecordedStretches, AUnitThatTookAnothersNumberIsAChannelOfItsOwnWithItsOwnF
     EXPECT_EQ(gaps[0].to - Instant(unixOffset), 60ms);
     EXPECT_EQ((*loaded)->about.at("device sim:can/dmc60c:5 1").at("serial"), "1");
     EXPECT_EQ((*loaded)->about.at("device sim:can/dmc60c:5 2").at("serial"), "2");
+}
+
+/// What a joined file says of its channels, in its order: their serial numbers.
+std::vector<std::string> serialsIn(const std::string &path)
+{
+    std::vector<std::string> serials;
+    McapReader reader;
+    reader.channel = [&serials](std::uint16_t, const std::string &, const mcap::Map &about) {
+        serials.push_back(about.contains("serial") ? about.at("serial") : "none");
+    };
+    EXPECT_TRUE(reader.read(path));
+    return serials;
+}
+
+/// A recorder of one velocity, and the units that come and go under one number.
+class RecordedUnits : public testing::Test {
+protected:
+    void follow(const std::shared_ptr<Telemetry> &recording, const std::string &serial)
+    {
+        recorder.follow(
+            {{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true, serial}}, {});
+    }
+    void send(Telemetry &recording, std::int64_t milliseconds, double value)
+    {
+        put(recording, velocity, milliseconds, value);
+        EXPECT_TRUE(recorder.writeAll(ms(milliseconds), unixOffset));
+    }
+    std::shared_ptr<const LoadedRecording> saved()
+    {
+        EXPECT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+        return loadRecording(folder.file("kept.mcap")).value_or(nullptr);
+    }
+    Folder folder;
+    std::shared_ptr<Telemetry> first = telemetry();
+    std::shared_ptr<Telemetry> second = telemetry(); ///< its link was opened anew
+    RollingRecorder recorder{rolling(folder, "run")};
+};
+
+TEST_F(RecordedUnits, AreNamedInWhatIsKeptThoughTheirSerialNumberCameLate)
+{
+    follow(first, {});
+    send(*first, 10, 1.0);
+    follow(first, "1");
+    send(*first, 20, 1.0);
+    send(*first, 2100, 1.0); // in the next file
+    ASSERT_TRUE(saved());
+    EXPECT_EQ(serialsIn(folder.file("kept.mcap")), std::vector<std::string>{"1"});
+}
+
+TEST_F(RecordedUnits, ThatAreNamedLateAreNotTheUnitBefore)
+{
+    follow(first, "1");
+    send(*first, 10, 1.0);
+    follow(second, {});
+    send(*second, 20, 2.0);
+    follow(second, "2");
+    send(*second, 30, 2.0);
+    const auto loaded = saved();
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(serialsIn(folder.file("kept.mcap")), (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(loaded->telemetry->size({0}), 1U);
+    EXPECT_EQ(loaded->telemetry->size({1}), 2U);
+}
+
+TEST_F(RecordedUnits, ThatNeverTellWhoTheyAreAreNotTheUnitBeforeEither)
+{
+    follow(first, "1");
+    send(*first, 10, 1.0);
+    follow(second, {});
+    send(*second, 20, 2.0);
+    const auto loaded = saved();
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(serialsIn(folder.file("kept.mcap")), (std::vector<std::string>{"1", "none"}));
+    ASSERT_EQ(loaded->table.size(), 2U);
+    EXPECT_EQ(loaded->table[1].key, "dmc60c:5 velocity (2)");
+    EXPECT_EQ(loaded->telemetry->size({0}), 1U);
 }
 
 } // namespace

@@ -99,6 +99,7 @@ TEST(Proofs, AUnitThatWasWrittenWithoutProofSaysSo)
     const Visit passed = *test::run(clock, serveUnit(unit, stream, opened, around, unseen));
     EXPECT_EQ(passed.outcome, Outcome::Passed) << told(passed);
     EXPECT_TRUE(passed.unproved);
+    EXPECT_TRUE(books.visits().front().unproved) << "when it is looked up later";
     EXPECT_NE(
         passed.evidence.english().find("4 pages, 0 sent again; nothing proves the new firmware"), std::string::npos)
         << told(passed);

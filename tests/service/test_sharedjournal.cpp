@@ -35,6 +35,7 @@ Visit visitOf(const std::string &id, double time)
     visit.step = Step::Test;
     visit.outcome = Outcome::Failed;
     visit.from = "1.23";
+    visit.unproved = true;
     visit.parameters = 55;
     visit.test = {{"settle", 0.25, std::nullopt, 0.6}, {"friction", std::nullopt, 0.1, 0.4, false, true}};
     visit.trial = std::int64_t{1} << 40;

@@ -50,9 +50,10 @@ TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
     ASSERT_EQ(visits->size(), GetParam() < 5 ? 1U : 2U);
     EXPECT_EQ(visits->back().note, GetParam() < 5 ? "" : "kept by schema 5");
     EXPECT_EQ(visits->back().ending, service::Ending::None);
+    EXPECT_FALSE(visits->back().unproved);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5, 6, 7));
+INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5, 6, 7, 8));
 
 } // namespace
 } // namespace mb

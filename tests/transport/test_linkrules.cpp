@@ -152,9 +152,9 @@ TEST_F(CanRules, TheLoadIsTheBitsOfTheLastSecondAtTheKnownRateOrAtOneMegabit)
     link.deliver(heard); // 47 + 8, and 4
     clock.advance(1s);
     constexpr double bits = 10 * 141 + 59;
-    EXPECT_NEAR(link.load(clock.now()), bits / 1e6, 1e-12);
+    EXPECT_NEAR(link.load(clock.now()).value_or(0.0), bits / 1e6, 1e-12);
     link.rate = 125'000;
-    EXPECT_NEAR(link.load(clock.now()), bits / 125e3, 1e-12);
+    EXPECT_NEAR(link.load(clock.now()).value_or(0.0), bits / 125e3, 1e-12);
     link.rate = 1000;
     EXPECT_EQ(link.load(clock.now()), 1.0) << "no more than all of it";
     clock.advance(1s);
@@ -325,7 +325,7 @@ TEST_F(SerialRules, BytesOfBothDirectionsAreCountedAndAreTheLoadWithTenBitsEach)
     ASSERT_TRUE(link.send(Bytes(100, 1)));
     link.deliver(clock.now(), Bytes(52, 2));
     clock.advance(1s);
-    EXPECT_NEAR(link.load(clock.now()), 1520.0 / 115200.0, 1e-12);
+    EXPECT_NEAR(link.load(clock.now()).value_or(0.0), 1520.0 / 115200.0, 1e-12);
     EXPECT_EQ(link.counters().tx, 100U);
     EXPECT_EQ(link.counters().rx, 52U);
     int errors = 0;

@@ -235,6 +235,6 @@ TEST_F(VirtualSerial, TheLoadIsTheShareOfTimeThatTheLineIsInUse)
         ASSERT_TRUE(a.link->send(Bytes(12, 0x55)));
         clock.advance(10ms);
     }
-    EXPECT_NEAR(b.link->load(clock.now()), 1200.0 / 11520.0, 0.01);
-    EXPECT_NEAR(a.link->load(clock.now()), 1200.0 / 11520.0, 0.01);
+    EXPECT_NEAR(b.link->load(clock.now()).value_or(0.0), 1200.0 / 11520.0, 0.01);
+    EXPECT_NEAR(a.link->load(clock.now()).value_or(0.0), 1200.0 / 11520.0, 0.01);
 }

@@ -67,7 +67,27 @@ TEST_F(VirtualSpi, ItsLoadIsTheShareOfTheClockThatTransfersTake)
     }
     const LinkView view = viewOf(link, clock.now());
     EXPECT_EQ(view.bitrate, 500'000);
-    EXPECT_NEAR(view.load, 0.064, 0.002);
+    EXPECT_NEAR(view.load.value_or(0.0), 0.064, 0.002);
+}
+
+TEST_F(VirtualSpi, ItsLoadIsNotKnownBeforeItWasMeasuredForASecond)
+{
+    const auto load = [&] { return viewOf(link, clock.now()).load; };
+    EXPECT_FALSE(load());
+    clock.advance(300ms);
+    Task<Bytes> task = transfer(link, Bytes(40));
+    task.start();
+    clock.advance(600ms);
+    EXPECT_FALSE(load());
+    clock.advance(200ms);
+    EXPECT_GT(load().value_or(0.0), 0.0);
+    clock.advance(5s);
+    EXPECT_EQ(load(), 0.0) << "it is silent";
+    link.close();
+    ASSERT_TRUE(link.open());
+    EXPECT_FALSE(load());
+    clock.advance(1s);
+    EXPECT_EQ(load(), 0.0);
 }
 
 TEST_F(VirtualSpi, TransfersTakePlaceOneAfterTheOther)

@@ -212,7 +212,7 @@ void BusModelsTest::bytesOfASerialLineHaveRowsToo()
     QCOMPARE(model.rowCount(), 1);
     model.setFilter(FrameFilter(QStringLiteral("is:unknown")));
     QCOMPARE(model.rowCount(), 0);
-    QCOMPARE(QString::fromStdString(trafficLine(model.kept().front().record, "ttyUSB0", 1000ms)),
+    QCOMPARE(QString::fromStdString(trafficLine(model.kept().front().record, "ttyUSB0", WallClock{1s, {}})),
         QStringLiteral("(0000001001.000000) ttyUSB0 tx 5504FF"));
 }
 
@@ -479,7 +479,7 @@ void BusModelsTest::exportWritesWhatDecodeReads()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("bus.log"));
     const auto at = [&records](int i) -> const TrafficRecord & { return records[static_cast<std::size_t>(i)]; };
-    QVERIFY(exportTraffic(path, 3, at, "can0", 500s));
+    QVERIFY(exportTraffic(path, 3, at, "can0", WallClock{500s, {}}));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(),

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void aMistakeIsShownAndTheFilterBeforeStays();
     void findMarksAndGoesThere();
     void selectedFramesAreCopiedAsCandumpText();
+    void whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime();
     void exportReportsWhatItDid();
     void stateShowsLoadAndLoss();
     void aLineOfBytesIsNotCountedInFrames();
@@ -155,6 +156,27 @@ void BusPageTest::selectedFramesAreCopiedAsCandumpText()
                        "(0000000000.020000) sim:can 123#R\n"));
 }
 
+void BusPageTest::whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime()
+{
+    BusBench bench;
+    bench.workbench.shot.links.front().simulated = false;
+    const Instant begin = bench.workbench.time;
+    bench.workbench.slept.look(begin, {});
+    bench.workbench.report(Severity::Info, {}, QStringLiteral("something"));
+    NoticeModel log(bench.workbench, bench.theme);
+    const QModelIndex cell = log.index(0, NoticeModel::Time);
+    const QString noted = cell.data().toString();
+    bench.traffic.add(generalOf5);
+    bench.publish();
+    bench.named<TrafficView>("Frames")->selectAll();
+    const QString copied = bench.page->selectedText();
+    bench.workbench.slept.look(bench.workbench.time, {});
+    bench.workbench.time += 1ms;
+    bench.workbench.slept.look(bench.workbench.time, 3600s);
+    QCOMPARE(bench.page->selectedText(), copied);
+    QCOMPARE(cell.data().toString(), noted);
+}
+
 void BusPageTest::exportReportsWhatItDid()
 {
     BusBench bench;
@@ -204,7 +226,7 @@ void BusPageTest::aLoadThatIsNotKnownIsNotZero()
     BusBench bench;
     bench.workbench.shot.links[0].kind = LinkKind::Spi;
     bench.workbench.shot.links[0].bitrate = 0; // as of a socket
-    bench.workbench.shot.links[0].load = 0.0;
+    bench.workbench.shot.links[0].load.reset();
     bench.traffic.now += 5s;
     bench.publish();
     const QString state = stateOf(bench);

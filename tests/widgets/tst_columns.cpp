@@ -40,7 +40,7 @@ void ColumnsTest::labelsOfTimeThatAreSecondsSaySo()
     };
     QVERIFY(!label(60.0).isEmpty());
     QVERIFY(ticker.showsSeconds()); // from an origin
-    ticker.setClock(1.7e9);
+    ticker.setClock(WallClock{std::chrono::seconds(1'700'000'000), {}});
     QVERIFY(label(60.0).contains(QLatin1Char(':')));
     QVERIFY(!ticker.showsSeconds());
     QVERIFY(!label(2.0).contains(QLatin1Char(':')));

@@ -3,11 +3,17 @@
 #include "parameterbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/applytheme.h"
+#include "widgets/common/chip.h"
+#include "widgets/common/linkload.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/common/sparkline.h"
+#include "widgets/common/valuelabel.h"
 #include "widgets/connection/axiscells.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/overviewpage.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace mb;
@@ -49,6 +55,14 @@ struct OverviewBench {
     {
         workbench.shot.devices.push_back(deviceOf(family, id, "sim:can"));
     }
+    /// That of the link, which has no card of a device around it.
+    [[nodiscard]] const Sparkline *loadLine() const
+    {
+        const auto all = page->findChildren<const Sparkline *>();
+        const auto found = std::ranges::find_if(all,
+            [](const Sparkline *each) { return !qobject_cast<DeviceCard *>(each->parentWidget()->parentWidget()); });
+        return found == all.end() ? nullptr : *found;
+    }
     [[nodiscard]] std::vector<DeviceCard *> cards() const
     {
         const auto all = page->findChildren<DeviceCard *>();
@@ -72,6 +86,8 @@ private Q_SLOTS:
     void aBoardIsAsWideAsTwoAndShowsWhatItsAxesDid();
     void whatNothingStopsByItselfSaysSo();
     void aLinkShowsItsLoadOfTheLastMinute();
+    void theLoadIsFollowedWhileAnotherPageIsShown();
+    void aLoadThatWasNotMeasuredYetIsADash();
 };
 
 void OverviewTest::cardsAreWholeInTheFirstPicture()
@@ -141,14 +157,40 @@ void OverviewTest::aLinkShowsItsLoadOfTheLastMinute()
         bench.workbench.shot.links[0].load = load;
         bench.workbench.publish();
     }
-    const Sparkline *line = nullptr;
-    for (const Sparkline *each : bench.page->findChildren<Sparkline *>()) {
-        if (!qobject_cast<DeviceCard *>(each->parentWidget()->parentWidget()) && !line)
-            line = each;
+    QVERIFY(bench.loadLine()->range().has_value());
+    QCOMPARE(bench.loadLine()->range()->second, 0.3);
+}
+
+void OverviewTest::theLoadIsFollowedWhileAnotherPageIsShown()
+{
+    OverviewBench bench(940);
+    bench.page->hide();
+    for (const double load : {0.3, 0.2}) {
+        bench.workbench.time += std::chrono::seconds(1);
+        bench.workbench.shot.links[0].load = load;
+        bench.workbench.publish();
     }
-    QVERIFY(line);
-    QVERIFY(line->range().has_value());
-    QCOMPARE(line->range()->second, 0.3);
+    bench.page->show();
+    QVERIFY(bench.loadLine()->range().has_value());
+    QCOMPARE(bench.loadLine()->range()->second, 0.3);
+}
+
+void OverviewTest::aLoadThatWasNotMeasuredYetIsADash()
+{
+    OverviewBench bench(940);
+    bench.workbench.shot.links[0].load.reset();
+    bench.workbench.publish();
+    QVERIFY(std::isnan(loadOf(bench.workbench.shot.links[0])));
+    const auto labels = bench.page->findChildren<ValueLabel *>();
+    QVERIFY(!labels.isEmpty());
+    QCOMPARE(labels.front()->value(), QString(UnknownMark));
+    LinkChip chip(bench.theme);
+    LinkStatus status;
+    status.name = QStringLiteral("can0");
+    status.load = loadOf(bench.workbench.shot.links[0]);
+    chip.setStatus(status);
+    QVERIFY2(!chip.accessibleDescription().contains(QLatin1Char('0')), qPrintable(chip.accessibleDescription()));
+    QVERIFY(!chip.grab().isNull());
 }
 
 MB_WINDOW_TEST(OverviewTest);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/numberfield.h"
+
 #include <QComboBox>
 #include <QSet>
 
@@ -20,6 +22,7 @@ private Q_SLOTS:
     void aSingleEventStays();
     void pausingDoesNotStopTheRecording();
     void theLevelCanBeDragged();
+    void theLevelIsWrittenAsTheLanguageWritesNumbers();
     void aDerivedSignalIsPlottedLikeAnyOther();
     void aWrongFormulaSaysWhy();
     void referencesStayWhereTheyWereSeen();
@@ -195,6 +198,20 @@ void TestPlotBoard::theLevelCanBeDragged()
     QTest::mouseRelease(&plot, Qt::LeftButton, Qt::NoModifier, target);
     QVERIFY2(std::abs(bench.page->trigger().bar().setup().level - 10000.0) < 1000.0,
         QByteArray::number(bench.page->trigger().bar().setup().level));
+}
+
+void TestPlotBoard::theLevelIsWrittenAsTheLanguageWritesNumbers()
+{
+    PlotBench bench;
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    bench.page->trigger().bar().setLevel(-0.25);
+    const double level = bench.page->trigger().bar().setup().level;
+    const auto *field = bench.page->trigger().bar().findChild<NumberField *>();
+    const QString written = field ? field->text() : QString();
+    QLocale::setDefault(before);
+    QCOMPARE(written, s("-0,2500"));
+    QCOMPARE(level, -0.25);
 }
 
 void TestPlotBoard::aDerivedSignalIsPlottedLikeAnyOther()

@@ -13,6 +13,7 @@ private Q_SLOTS:
     void notesStandInThePlotAndInTheFile();
     void theWholeSessionIsExportedWithItsDevices();
     void anExportHasTheTimesOfBeforeAndAfterTheComputerSlept();
+    void axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept();
     void anExportCanBeCancelled();
     void layoutsComeBack();
     void aLayoutWaitsForItsDevices();
@@ -92,6 +93,37 @@ void TestPlotKeeping::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
     QVERIFY(loaded);
     QVERIFY((*loaded)->first < before);
     QVERIFY((*loaded)->last > before + 3600s && (*loaded)->last <= after + 3600s);
+}
+
+void TestPlotKeeping::axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.workbench.slept.look(bench.workbench.time, {});
+    bench.pass(1.0, 60000.0);
+    bench.workbench.slept.look(bench.workbench.time, {});
+    const double before = plotKey(bench.workbench.time);
+    bench.workbench.slept.look(bench.workbench.time + 1ms, 600s);
+    bench.pass(1.0, 60000.0);
+    bench.stack().view().setRange(before - 0.5, before + 0.5);
+    QVERIFY(bench.stack().exporter().exportTo(folder.filePath(s("a.csv"))));
+    QFile file(folder.filePath(s("a.csv")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'));
+    QVERIFY2(lines.first().endsWith(s("(Unix %1)").arg(before - 0.5, 0, 'f', 6)), qPrintable(lines.first()));
+    const double last = lines[lines.size() - 2].section(QLatin1Char(','), 0, 0).toDouble();
+    QVERIFY2(last > 600.5 && last < 601.1, qPrintable(QString::number(last)));
+    const QCPAxis &axis = *bench.stack().findChild<QCustomPlot *>()->axisRect()->axis(QCPAxis::atBottom);
+    const auto labelAt = [&axis](double key) {
+        QVector<double> ticks;
+        QVector<QString> labels;
+        axis.ticker()->generate({key, key + 20.0}, {}, QLatin1Char('g'), 6, ticks, nullptr, &labels);
+        return labels.value(0);
+    };
+    const double step = 20.0; // both begin at a whole one
+    const QTime early = QTime::fromString(labelAt(before - step), s("HH:mm:ss"));
+    QVERIFY(early.isValid());
+    QCOMPARE(early.secsTo(QTime::fromString(labelAt(before + step), s("HH:mm:ss"))), 600 + 2 * 20);
 }
 
 void TestPlotKeeping::anExportCanBeCancelled()

@@ -160,8 +160,9 @@ void LinkChip::setStatus(const LinkStatus &status)
         parts.push_back({status.word});
     } else {
         if (status.load) {
-            const QString percent = tr("%1 %").arg(std::lround(*status.load * 100));
-            parts.push_back({{}, false, {}, Part::Kind::Bar, std::round(*status.load * 100.0) / 100.0});
+            const double load = std::isnan(*status.load) ? 0.0 : std::round(*status.load * 100.0);
+            const QString percent = std::isnan(*status.load) ? QString(UnknownMark) : tr("%1 %").arg(load);
+            parts.push_back({{}, false, {}, Part::Kind::Bar, load / 100.0});
             parts.push_back({percent, true, tr("%1 %").arg(88)});
             spoken = tr("load %1").arg(percent);
         } else if (!status.rate.isEmpty()) {

@@ -61,7 +61,7 @@ struct LinkStatus {
     QString name; ///< "can0"
     GlyphState state = GlyphState::Online;
     QString word;               ///< instead of numbers when the link is not up: "down", "no permission"
-    std::optional<double> load; ///< 0 … 1, a bus with a bit rate
+    std::optional<double> load; ///< 0 … 1; NaN: not known (yet)
     QString rate;               ///< "61 Hz", a polled link
     std::optional<qint64> lost; ///< samples lost since the link was opened
     bool healthy = true;        ///< false: caution outline

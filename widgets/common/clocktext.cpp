@@ -14,9 +14,9 @@ QDateTime momentOf(double unixTime)
     return QDateTime::fromMSecsSinceEpoch(std::llround(unixTime * 1e3));
 }
 
-QDateTime momentOf(const Workbench &workbench, Instant time)
+QDateTime momentOf(Workbench &workbench, Instant time)
 {
-    const Duration unixTime = time.time_since_epoch() + workbench.unixOffset();
+    const Duration unixTime = workbench.wallClock().unixTime(time);
     return QDateTime::fromMSecsSinceEpoch(std::chrono::floor<std::chrono::milliseconds>(unixTime).count());
 }
 

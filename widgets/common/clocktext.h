@@ -16,7 +16,7 @@ enum class ClockPart { Minutes, Seconds, Milliseconds };
 /// A time since 1970, in s, as the wall clock here has it.
 [[nodiscard]] QDateTime momentOf(double unixTime);
 /// A time stamp of the workbench.
-[[nodiscard]] QDateTime momentOf(const Workbench &workbench, Instant time);
+[[nodiscard]] QDateTime momentOf(Workbench &workbench, Instant time);
 
 /// The time of day, from 0 to 23 hours in every language, so that pages, logs and files can be compared: "18:21:28".
 [[nodiscard]] QString clockText(const QDateTime &moment, ClockPart part = ClockPart::Seconds);

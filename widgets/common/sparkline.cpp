@@ -37,10 +37,10 @@ void Sparkline::setCapacity(int points)
 
 void Sparkline::setValues(std::deque<double> values)
 {
-    m_values = std::move(values);
-    while (m_values.size() > m_capacity)
-        m_values.pop_front();
-    touched();
+    while (values.size() > m_capacity)
+        values.pop_front();
+    if (std::exchange(m_values, values) != values)
+        touched();
 }
 
 void Sparkline::setRole(TraceRole role)

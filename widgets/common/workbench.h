@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/sleeplog.h"
+#include "async/wallclock.h"
 #include "model/snapshot.h"
 #include "transport/linkcatalog.h"
 #include "widgets/orders/reply.h"
@@ -65,6 +65,12 @@ public:
     [[nodiscard]] virtual Duration unixOffset() const = 0;
     /// When the computer slept since the program began.
     [[nodiscard]] virtual SleepLog sleeps() { return {}; }
+    /// Both, for time stamps of earlier too.
+    [[nodiscard]] WallClock wallClock()
+    {
+        const SleepLog log = sleeps();
+        return {unixOffset() - log.sleptAt(now()), log};
+    }
     [[nodiscard]] virtual const std::vector<LinkListing> &listings() const = 0;
     /// Snapshots and writes of earlier.
     [[nodiscard]] virtual SettingsArchive &settings() = 0;

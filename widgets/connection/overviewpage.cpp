@@ -29,8 +29,6 @@ namespace {
 constexpr int mostColumns = 6;
 constexpr int leastLinkCard = 220; ///< units
 constexpr int leastDeviceCard = 280;
-constexpr Duration loadStep = std::chrono::milliseconds(500);
-constexpr std::size_t loadPoints = 120; ///< a minute
 
 } // namespace
 
@@ -106,9 +104,10 @@ void OverviewPage::resizeEvent(QResizeEvent *event)
 
 void OverviewPage::follow()
 {
+    const Snapshot &shot = m_workbench.snapshot();
+    m_loads.keep(shot);
     if (!isVisible())
         return;
-    const Snapshot &shot = m_workbench.snapshot();
     m_states->setCurrentIndex(shot.links.empty() ? 1 : 0);
     if (shot.links.empty()) {
         m_start->follow();
@@ -125,7 +124,7 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
     made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
     made.card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     made.line = new Sparkline(m_theme, TraceRole::Neutral, made.card);
-    made.line->setCapacity(static_cast<int>(loadPoints));
+    made.line->setCapacity(static_cast<int>(LinkLoads::points));
     made.line->setFixedSize(m_theme.theme().u(44), m_theme.theme().u(20));
     made.line->setToolTip(tr("Load of the last minute"));
     made.card->addHeadWidget(made.line);
@@ -166,7 +165,7 @@ void OverviewPage::followLinks(const Snapshot &shot)
             m_columns = 0;
         }
         LinkCard &card = entry->second;
-        followLoad(card, link);
+        card.line->setValues(m_loads.of(link.address));
         card.card->setTitle(QString::fromStdString(link.name),
             link.state == LinkState::Open ? bitrateText(link) : messageText(link.reason));
         const std::optional<Tone> ailing
@@ -190,19 +189,6 @@ void OverviewPage::followLinks(const Snapshot &shot)
         card.lost->setValue(formatCount(lost));
         card.lost->setTone(lost > 0 ? Tone::Caution : Tone::Text);
     }
-}
-
-/// Twice a second one point of the line.
-void OverviewPage::followLoad(LinkCard &card, const LinkView &link)
-{
-    const Instant now = m_workbench.now();
-    if (!card.loads.empty() && now - card.loadTime < loadStep)
-        return;
-    card.loadTime = now;
-    card.loads.push_back(loadOf(link));
-    if (card.loads.size() > loadPoints)
-        card.loads.pop_front();
-    card.line->setValues(card.loads);
 }
 
 void OverviewPage::followDevices(const Snapshot &shot)

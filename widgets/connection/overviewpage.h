@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/linkload.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/workbench.h"
 
 #include <QWidget>
 
-#include <deque>
 #include <map>
 
 class QGridLayout;
@@ -54,15 +54,12 @@ private:
         ValueLabel *unknown = nullptr;
         ValueLabel *roundTrip = nullptr; ///< of serial links
         Sparkline *line = nullptr;
-        std::deque<double> loads{};
-        Instant loadTime{};
     };
 
     void buildCards();
     void buildEmpty();
     void follow();
     void followLinks(const Snapshot &shot);
-    void followLoad(LinkCard &card, const LinkView &link);
     void followDevices(const Snapshot &shot);
     void followOrder(const Snapshot &shot);
     [[nodiscard]] int fittingColumns(int widest) const;
@@ -76,6 +73,7 @@ private:
     QWidget *m_canvas = nullptr;
     QGridLayout *m_linkGrid = nullptr;
     QGridLayout *m_deviceGrid = nullptr;
+    LinkLoads m_loads;
     StartPage *m_start = nullptr;   ///< of the empty page
     DoctorCard *m_ailing = nullptr; ///< above the cards: what does not work
     std::map<std::string, LinkCard> m_links;

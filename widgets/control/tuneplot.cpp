@@ -251,7 +251,6 @@ void TunePlot::rebuild(const DeviceView &device)
     }
     const LinkView *link = m_workbench.snapshot().link(device.link);
     m_stack->strips().setWatermark(link && link->simulated ? tr("DEMO") : QString());
-    m_stack->strips().setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
     follow(device);
     m_drawn = 0;
     m_drawnAt = 0.0;
@@ -260,6 +259,7 @@ void TunePlot::rebuild(const DeviceView &device)
 
 void TunePlot::follow(const DeviceView &device)
 {
+    m_stack->strips().setClock(m_workbench.wallClock());
     for (const auto &source : m_sources) {
         const std::size_t place = source->channel().value;
         source->follow(place < device.rates.size() ? device.rates[place] : 0.0, m_workbench.presentOf(device.link));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/linkload.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>
@@ -15,7 +16,7 @@ namespace mb {
 class BusLoadView : public QWidget {
     Q_OBJECT
 public:
-    static constexpr std::size_t points = 120;
+    static constexpr std::size_t points = LinkLoads::points;
 
     explicit BusLoadView(const ThemeSource &theme, QWidget *parent = nullptr);
     /// Fractions 0 … 1, oldest first.

@@ -152,7 +152,7 @@ const LinkView *BusPage::link() const
 void BusPage::followLinks()
 {
     const Snapshot &shot = m_workbench.snapshot();
-    if (m_side->keepLoads(shot) && link() && isVisible())
+    if (m_side->loads().keep(shot) && link() && isVisible())
         m_side->showLoads(m_address);
     if (!isVisible())
         return;
@@ -272,16 +272,17 @@ void BusPage::showSelected()
     m_side->detail().show(row, m_model->meaning(row), m_model->decoder(), m_model->origin());
 }
 
-Duration BusPage::exportShift() const
+WallClock BusPage::exportClock() const
 {
-    return m_source.simulated ? -m_model->origin().time_since_epoch() : m_workbench.unixOffset();
+    return m_source.simulated ? WallClock{-m_model->origin().time_since_epoch(), {}} : m_workbench.wallClock();
 }
 
 QString BusPage::selectedText() const
 {
     std::string text;
+    const WallClock clock = exportClock();
     for (const int row : m_tables->selected())
-        text += trafficLine(m_model->row(row).record, m_source.name, exportShift()) + '\n';
+        text += trafficLine(m_model->row(row).record, m_source.name, clock) + '\n';
     return QString::fromStdString(text);
 }
 
@@ -304,7 +305,7 @@ void BusPage::exportTo(const QString &path, bool all)
         return all ? kept[static_cast<std::size_t>(i)].record : m_model->row(i).record;
     };
     const QString name = qt(m_source.name);
-    const auto written = exportTraffic(path, count, at, m_source.name, exportShift());
+    const auto written = exportTraffic(path, count, at, m_source.name, exportClock());
     if (!written)
         m_workbench.report(Severity::Danger, name, errorText(written.error()));
     else

@@ -66,7 +66,7 @@ private:
     void askWhereTo(bool all);
     void arrange();
     [[nodiscard]] const LinkView *link() const;
-    [[nodiscard]] Duration exportShift() const;
+    [[nodiscard]] WallClock exportClock() const;
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;

@@ -4,7 +4,6 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
-#include "widgets/common/linkload.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
@@ -13,14 +12,7 @@
 
 #include <QScrollBar>
 
-#include <cmath>
-
 namespace mb {
-namespace {
-
-constexpr Duration keepTime = std::chrono::milliseconds(500);
-
-} // namespace
 
 /// At large fonts it is higher than the room that is left: it scrolls.
 BusSide::BusSide(const ThemeSource &theme, QWidget *parent)
@@ -63,26 +55,9 @@ void BusSide::build(QWidget &content)
     column->addLayout(foot);
 }
 
-bool BusSide::keepLoads(const Snapshot &snapshot)
-{
-    if (snapshot.time - m_keptAt < keepTime)
-        return false;
-    m_keptAt = snapshot.time;
-    for (const LinkView &link : snapshot.links) {
-        std::deque<double> &loads = m_loads[link.address];
-        const double load = loadOf(link);
-        if (std::isnan(load))
-            continue;
-        loads.push_back(load);
-        if (loads.size() > BusLoadView::points)
-            loads.pop_front();
-    }
-    return true;
-}
-
 void BusSide::showLoads(const std::string &link)
 {
-    m_load->setLoads(m_loads[link]);
+    m_load->setLoads(m_loads.of(link));
 }
 
 void BusSide::showFacts(const LinkView &link, const IdModel &ids)

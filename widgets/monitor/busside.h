@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/linkload.h"
 #include "widgets/common/theme.h"
-
-#include "model/snapshot.h"
 
 #include <QScrollArea>
 
-#include <deque>
-#include <map>
+#include <string>
 
 class QLabel;
 
@@ -25,8 +23,8 @@ public:
     BusSide(const ThemeSource &theme, QWidget *parent);
 
     [[nodiscard]] FrameDetail &detail() { return *m_detail; }
-    /// Keeps the load of every link, twice a second; whether it did.
-    bool keepLoads(const Snapshot &snapshot);
+    /// With what each snapshot tells, shown or not.
+    [[nodiscard]] LinkLoads &loads() { return m_loads; }
     void showLoads(const std::string &link);
     void showFacts(const LinkView &link, const IdModel &ids);
 
@@ -38,8 +36,7 @@ private:
     BusLoadView *m_load = nullptr;
     QLabel *m_caption = nullptr;
     QLabel *m_facts = nullptr;
-    std::map<std::string, std::deque<double>> m_loads; ///< by address of the link
-    Instant m_keptAt{};
+    LinkLoads m_loads;
 };
 
 } // namespace mb

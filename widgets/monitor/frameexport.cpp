@@ -9,22 +9,22 @@
 
 namespace mb {
 
-std::string trafficLine(const TrafficRecord &record, const std::string &link, Duration shift)
+std::string trafficLine(const TrafficRecord &record, const std::string &link, const WallClock &clock)
 {
-    const Duration time = std::max(Duration::zero(), record.frame.time.time_since_epoch() + shift);
+    const Duration time = std::max(Duration::zero(), clock.unixTime(record.frame.time));
     if (record.isFrame())
         return toCandumpLine(time, link, record.frame);
     return bytesLine(time, link, record.direction, record.bytes);
 }
 
 Result<void> exportTraffic(const QString &path, int count, const std::function<const TrafficRecord &(int)> &at,
-    const std::string &link, Duration shift)
+    const std::string &link, const WallClock &clock)
 {
     OutputFile file(path.toStdString());
     if (auto opened = file.open(); !opened)
         return opened;
     for (int i = 0; i < count; ++i)
-        file.write(trafficLine(at(i), link, shift) + '\n');
+        file.write(trafficLine(at(i), link, clock) + '\n');
     return file.commit();
 }
 

@@ -42,8 +42,7 @@ ExportPlan ExportBar::planFor(const ExportChoice &choice) const
 {
     ExportPlan plan;
     plan.channels = exportChannels(m_workbench.snapshot(), m_board, choice.everything);
-    plan.sleeps = m_workbench.sleeps();
-    plan.unixOffset = m_workbench.unixOffset() - plan.sleeps.sleptAt(m_workbench.now());
+    plan.clock = m_workbench.wallClock();
     plan.about = aboutDevices(m_workbench.snapshot());
     plan.notes = m_board.notes();
     const bool selection = choice.range == ExportChoice::Range::Selection;

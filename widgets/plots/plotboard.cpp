@@ -175,7 +175,6 @@ void PlotBoard::rebuild()
         reference.id = m_stack.strips().addTrace(reference.style, reference.trace);
     }
     m_stack.strips().setWatermark(simulated ? tr("DEMO") : replayed ? tr("REPLAY") : QString());
-    m_stack.strips().setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
     followRates();
     Q_EMIT changed();
 }
@@ -232,6 +231,7 @@ bool PlotBoard::takeIn()
 
 void PlotBoard::follow()
 {
+    m_stack.strips().setClock(m_workbench.wallClock());
     bool other = m_book.complete();
     other = letGo() || other;
     other = takeIn() || other;

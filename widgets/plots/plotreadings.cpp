@@ -3,6 +3,7 @@
 
 #include "widgets/common/clocktext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/telemetrysource.h"
 
 #include <QRegularExpression>
 #include <QTextStream>
@@ -238,8 +239,8 @@ QString PlotReadings::numbers() const
 QString PlotReadings::tableHead(double from, double to) const
 {
     QString head;
-    if (const auto clock = m_strips.clock()) {
-        const double unixTime = *clock + from;
+    if (const auto &clock = m_strips.clock()) {
+        const double unixTime = from + clockShift(*clock, from);
         head = QStringLiteral("# time_s 0 is %1 (Unix %2)\n")
                    .arg(momentOf(unixTime).toUTC().toString(Qt::ISODateWithMs), QString::number(unixTime, 'f', 6));
     }
@@ -261,7 +262,10 @@ QByteArray PlotReadings::table() const
         std::size_t next = 0;
     };
     const auto [from, to] = m_view.range();
-    const double zero = m_strips.clock() ? from : 0.0;
+    const auto &clock = m_strips.clock();
+    const auto time = [&clock, from = from](double key) {
+        return clock ? key - from + clockShift(*clock, key) - clockShift(*clock, from) : key;
+    };
     QStringList head{QStringLiteral("time_s")};
     std::vector<Column> columns;
     std::map<double, int>
@@ -286,8 +290,8 @@ QByteArray PlotReadings::table() const
     QTextStream out(&content);
     out.setCodec("UTF-8");
     out << tableHead(from, to) << head.join(QLatin1Char(',')) << '\n';
-    const auto writeRow = [&, zero](double key) {
-        out << QString::number(key - zero, 'f', 6);
+    const auto writeRow = [&](double key) {
+        out << QString::number(time(key), 'f', 6);
         for (Column &column : columns) {
             while (column.next < column.points.size() && column.points[column.next].key < key)
                 ++column.next;

@@ -44,11 +44,10 @@ void PlotScrubber::setSource(std::shared_ptr<const TraceSource> source, const Tr
     update();
 }
 
-void PlotScrubber::setSession(double first, double now, std::optional<double> unixAtZero)
+void PlotScrubber::setSession(double first, double now)
 {
     m_first = std::min(first, now - shortestSpan);
     m_now = now;
-    m_unixAtZero = unixAtZero;
 }
 
 QRectF PlotScrubber::band() const
@@ -121,14 +120,14 @@ void PlotScrubber::drawTimes(QPainter &painter) const
     const QFont font = theme.font(TextRole::Caption, this->font());
     const QFontMetrics metrics(font);
     TimeTicker ticker;
-    ticker.setClock(m_unixAtZero);
+    ticker.setClock(m_stack.strips().clock());
     const QRectF area = band();
     const int places = std::clamp(static_cast<int>(area.width()) / theme.u(110), 2, 8);
     painter.setFont(font);
     painter.setPen(theme.dim);
     for (int i = 0; i <= places; ++i) {
         const double key = m_first + (m_now - m_first) * i / places;
-        const QString text = ticker.text(m_unixAtZero ? key : key - m_now, 1.0);
+        const QString text = ticker.text(ticker.clock() ? key : key - m_now, 1.0);
         const double wide = metrics.horizontalAdvance(text);
         const double left = withinRoom(x(key) - wide / 2, 1.0 * theme.u(8), width() - wide - theme.u(8));
         painter.drawText(QPointF(left, height() - theme.u(5)), text);

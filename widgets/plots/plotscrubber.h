@@ -16,7 +16,7 @@ public:
 
     /// What is drawn; nothing clears it. `first`: where the session begins.
     void setSource(std::shared_ptr<const TraceSource> source, const TraceLook &look);
-    void setSession(double first, double now, std::optional<double> unixAtZero);
+    void setSession(double first, double now);
     /// Call it on a tick: repaints only when something to see has moved.
     void follow();
 
@@ -43,7 +43,6 @@ private:
     double m_first = 0.0;
     double m_now = 1.0;
     double m_fetchedAt = -1e9;
-    std::optional<double> m_unixAtZero;
     std::vector<PlotPoint> m_points;
     QRectF m_drawnBox;
     double m_grip = 0.0; ///< of the box, from its middle, in seconds

@@ -291,8 +291,7 @@ void PlotsPage::draw()
     const Painting painting(m_stack->budget());
     m_trigger->poll(now);
     m_stack->refresh(now);
-    m_scrubber->setSession(
-        beginOf(*m_board, now), now, std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    m_scrubber->setSession(beginOf(*m_board, now), now);
     m_scrubber->follow();
     refreshView(now);
 }

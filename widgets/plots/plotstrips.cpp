@@ -211,11 +211,14 @@ void PlotStrips::setValueRange(int strip, std::optional<std::pair<double, double
     Q_EMIT changed();
 }
 
-void PlotStrips::setClock(std::optional<double> unixAtZero)
+void PlotStrips::setClock(std::optional<WallClock> clock)
 {
-    m_unixAtZero = unixAtZero;
-    m_timeTicker->setClock(unixAtZero);
-    restyle();
+    m_timeTicker->setClock(std::move(clock));
+}
+
+const std::optional<WallClock> &PlotStrips::clock() const
+{
+    return m_timeTicker->clock();
 }
 
 void PlotStrips::setWatermark(const QString &text)

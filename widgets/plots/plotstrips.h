@@ -78,9 +78,9 @@ public:
 
     /// A fixed value axis; empty returns to following the data.
     void setValueRange(int strip, std::optional<std::pair<double, double>> range);
-    /// Time of day on the axis, given the Unix time of key 0; empty: seconds.
-    void setClock(std::optional<double> unixAtZero);
-    [[nodiscard]] std::optional<double> clock() const { return m_unixAtZero; }
+    /// Time of day on the axis; empty: seconds.
+    void setClock(std::optional<WallClock> clock);
+    [[nodiscard]] const std::optional<WallClock> &clock() const;
     /// "DEMO" behind every strip and in every export.
     void setWatermark(const QString &text);
     [[nodiscard]] QString watermark() const { return m_watermark; }
@@ -125,7 +125,6 @@ private:
     const ThemeSource &m_theme;
     QCPMarginGroup *m_margins = nullptr;
     QSharedPointer<TimeTicker> m_timeTicker;
-    std::optional<double> m_unixAtZero;
     QPointer<PlotFoot> m_foot;
     PlotCursors *m_cursors = nullptr;
     std::vector<std::unique_ptr<PlotStrip>> m_strips;

@@ -4,6 +4,7 @@
 #include "widgets/common/clocktext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/autorange.h"
+#include "widgets/plots/telemetrysource.h"
 
 #include <QDateTime>
 
@@ -86,9 +87,9 @@ double TimeTicker::getTickStep(const QCPRange &range)
 QString TimeTicker::text(double key, double step) const
 {
     const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-    if (!m_unixAtZero)
+    if (!m_clock)
         return formatNumber(std::abs(key) < step * 1e-6 ? 0.0 : key, decimals);
-    const QDateTime time = momentOf(key + *m_unixAtZero);
+    const QDateTime time = momentOf(key + clockShift(*m_clock, key));
     if (decimals == 0)
         return clockText(time);
     return localNumber(time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3)));

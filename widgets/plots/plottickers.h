@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/wallclock.h"
 #include "widgets/plots/qcustomplotkeywords.h"
 
 #include <optional>
+#include <utility>
 
 namespace mb {
 
@@ -31,21 +33,22 @@ protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
 };
 
-/// Time as seconds from an origin, or as the time of day when the Unix time of key 0 is known.
+/// Time as seconds from an origin, or as the time of day when there is a clock for its keys.
 class TimeTicker : public QCPAxisTicker {
 public:
     TimeTicker() { setTickCount(8); }
-    void setClock(std::optional<double> unixAtZero) { m_unixAtZero = unixAtZero; }
+    void setClock(std::optional<WallClock> clock) { m_clock = std::move(clock); }
+    [[nodiscard]] const std::optional<WallClock> &clock() const { return m_clock; }
     QString text(double key, double step) const;
     /// Labels are seconds, from an origin or of the minute, and need that unit: as they were made last.
-    [[nodiscard]] bool showsSeconds() const { return !m_unixAtZero || m_step < 1.0; }
+    [[nodiscard]] bool showsSeconds() const { return !m_clock || m_step < 1.0; }
 
 protected:
     double getTickStep(const QCPRange &range) override;
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
 
 private:
-    std::optional<double> m_unixAtZero;
+    std::optional<WallClock> m_clock;
     double m_step = 1.0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/wallclock.h"
 #include "telemetry/telemetry.h"
 #include "widgets/plots/tracesource.h"
 
@@ -18,6 +19,12 @@ namespace mb {
 [[nodiscard]] inline Instant instantOf(double key)
 {
     return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
+}
+
+/// What to add to a key to get Unix time, s.
+[[nodiscard]] inline double clockShift(const WallClock &clock, double key)
+{
+    return std::chrono::duration<double>(clock.shiftAt(instantOf(key))).count();
 }
 
 /// One channel of a recording as a trace. Keeps the columns of the picture before, so that a window that scrolls costs

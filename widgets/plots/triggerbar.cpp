@@ -143,8 +143,7 @@ void TriggerBar::setLevel(double level)
     // Four digits are as near as a hand gets; no exponent.
     const double size = level == 0.0 ? 0.0 : std::floor(std::log10(std::abs(level)));
     const double step = std::pow(10.0, size - 3.0);
-    m_level->setText(
-        QString::number(std::round(level / step) * step, 'f', std::clamp(3 - static_cast<int>(size), 0, 9)));
+    m_level->setText(editText(std::round(level / step) * step, std::clamp(3 - static_cast<int>(size), 0, 9)));
 }
 
 QString TriggerBar::description(double window) const
