@@ -2,13 +2,14 @@
 #include "app/conditions.h"
 
 #include "experiment/owedgains.h"
-#include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/motionwords.h"
 
 #include <QPointer>
+
+#include <utility>
 
 namespace mb {
 namespace {
@@ -40,10 +41,12 @@ Conditions::Conditions(Workbench &workbench, Arming &arming, BannerStack &banner
     , m_banners(banners)
 {
     connect(&banners, &BannerStack::actionTriggered, this, &Conditions::act);
+    connect(&banners, &BannerStack::otherTriggered, this, [this](const QString &key) { settleOwed(key, true); });
 }
 
 void Conditions::follow()
 {
+    const std::set<QString> before = std::exchange(m_standing, {});
     for (const LinkView &link : m_workbench.snapshot().links)
         followLink(link);
     for (const DeviceView &device : m_workbench.snapshot().devices) {
@@ -52,21 +55,25 @@ void Conditions::follow()
     }
     followUpdates();
     followOwed();
-    for (const DeviceId gone : std::set<DeviceId>(m_reset)) {
-        if (!m_workbench.snapshot().device(gone))
-            endReset(gone);
-    }
     if (const QString names = namesThatMayTurn(m_workbench.snapshot()); !names.isEmpty())
-        m_banners.post(QLatin1String(mayTurnKey), BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
+        post(QLatin1String(mayTurnKey), BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
             tr("Its stop was not confirmed. It is sent again, and first of all when its line is back."),
             tr("I have looked: it stands"));
-    else
-        m_banners.clear(QLatin1String(mayTurnKey));
     if (m_arming.state() == LampState::Stopped)
-        m_banners.post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
+        post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."));
-    else
-        m_banners.clear(QStringLiteral("stopped"));
+    for (const QString &over : before) {
+        if (m_standing.count(over) == 0)
+            m_banners.clear(over);
+    }
+    std::erase_if(m_failures, [this](const auto &failure) { return !m_workbench.snapshot().device(failure.first); });
+}
+
+void Conditions::post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
+    const QString &action, const QString &other)
+{
+    m_standing.insert(key);
+    m_banners.post(key, kind, cause, remedy, action, other);
 }
 
 void Conditions::followLink(const LinkView &link)
@@ -74,48 +81,37 @@ void Conditions::followLink(const LinkView &link)
     const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
     const QString name = QString::fromStdString(link.name);
     if (link.state == LinkState::Lost)
-        m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
+        post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
     else if (!link.diagnosis.isHealthy())
-        m_banners.post(key, BannerKind::Caution, name + QStringLiteral(": ") + messageText(link.diagnosis.cause),
+        post(key, BannerKind::Caution, name + QStringLiteral(": ") + messageText(link.diagnosis.cause),
             messageText(link.diagnosis.remedy));
-    else
-        m_banners.clear(key);
 }
 
 void Conditions::followDevice(const DeviceView &device)
 {
     const QString key = QStringLiteral("device %1").arg(device.id.value);
     if (device.liveness.foreignMaster)
-        m_banners.post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+        post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
             tr("Arming is off until it stops sending control frames."));
     else if (device.identity->state == DeviceState::Duplicate)
-        m_banners.post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
+        post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
             tr("Control is locked. Assign one of them a new number from the menu of its row."));
-    else
-        m_banners.clear(key);
 }
 
 /// On every page, until it is over: what is written, and where.
 void Conditions::followUpdates()
 {
     const Snapshot &shot = m_workbench.snapshot();
-    std::set<QString> standing;
     for (const OperationView *update : runningUpdates(shot)) {
         const QString key = QStringLiteral("update %1").arg(update->id.value);
         const OperationStatus &status = update->status;
-        standing.insert(key);
-        m_banners.post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
+        post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
             tr("Firmware is being written to %1").arg(placeOf(shot, *update)),
             status.total == 0 ? messageText(status.step)
                 : status.mayInterrupt
                 ? tr("%1 of %2. Safe to unplug: the update can be run again.").arg(status.done).arg(status.total)
                 : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
     }
-    for (const QString &over : m_updates) {
-        if (standing.count(over) == 0)
-            m_banners.clear(over);
-    }
-    m_updates = standing;
 }
 
 void Conditions::followReset(const DeviceView &device)
@@ -123,12 +119,11 @@ void Conditions::followReset(const DeviceView &device)
     const QString key = resetKeyOf(device.id);
     const auto lost = static_cast<int>(lostSettings(*device.family, device.profile).size());
     if (lost == 0) {
-        endReset(device.id);
+        m_failures.erase(device.id);
         return;
     }
-    m_reset.insert(device.id);
     if (const OperationView *operation = rewriting(m_workbench.snapshot(), device.id)) {
-        m_banners.post(key, BannerKind::Caution,
+        post(key, BannerKind::Caution,
             tr("Writing the settings of %1 again: %2 of %3")
                 .arg(titleOf(device))
                 .arg(operation->status.done)
@@ -137,7 +132,7 @@ void Conditions::followReset(const DeviceView &device)
         return;
     }
     const auto failure = m_failures.find(device.id);
-    m_banners.post(key, BannerKind::Caution, resetTitle(device, lost),
+    post(key, BannerKind::Caution, resetTitle(device, lost),
         failure == m_failures.end() ? (device.family->capabilities.keepsSettings
                 ? tr("Nothing shows that it still has what was not saved. This program knows what was last written.")
                 : tr("The board keeps nothing without power. This program knows what was last written."))
@@ -155,48 +150,38 @@ QString Conditions::resetTitle(const DeviceView &device, int lost) const
                      : tr("%1 was reset: %2 settings are unknown").arg(titleOf(device)).arg(lost);
 }
 
-void Conditions::endReset(DeviceId device)
-{
-    m_reset.erase(device);
-    m_failures.erase(device);
-    m_banners.clear(resetKeyOf(device));
-}
-
 /// What an experiment could not put back because its program died: never without being asked.
 void Conditions::followOwed()
 {
-    std::set<QString> standing;
     for (const auto &[id, all] : m_workbench.owedGains()) {
         const DeviceView *device = m_workbench.snapshot().device(id);
         if (!device)
             continue;
         for (const tuning::OwedGains &owed : all) {
             const QString key = QLatin1String(owedKey) + QStringLiteral("%1 %2").arg(id.value).arg(owed.trial);
-            standing.insert(key);
             const QString values = QString::fromStdString(tuning::assignmentsOf(*device->family, owed.values));
-            m_banners.post(key, BannerKind::Caution,
+            post(key, BannerKind::Caution,
                 tr("Trial #%1 on %2 was cut before it put its gains back").arg(owed.trial).arg(titleOf(*device)),
-                tr("Before it: %1. The motor must stand.").arg(values), tr("Put them back"));
+                tr("Before it: %1. The motor must stand.").arg(values), tr("Put them back"), tr("Keep what it has"));
         }
     }
-    for (const QString &over : m_owed) {
-        if (standing.count(over) == 0)
-            m_banners.clear(over);
-    }
-    m_owed = standing;
 }
 
-void Conditions::payOwed(const QString &key)
+void Conditions::settleOwed(const QString &key, bool keep)
 {
     const QStringList parts = key.split(QLatin1Char(' '));
     const DeviceId device{parts.value(1).toUInt()};
-    m_workbench.send(orders::PayGains{device, parts.value(2).toLongLong()});
+    const std::int64_t trial = parts.value(2).toLongLong();
+    if (keep)
+        m_workbench.send(orders::DismissGains{device, trial});
+    else
+        m_workbench.send(orders::PayGains{device, trial});
 }
 
 void Conditions::act(const QString &key)
 {
     if (key.startsWith(QLatin1String(owedKey)))
-        return payOwed(key);
+        return settleOwed(key, false);
     if (key == QLatin1String(mayTurnKey))
         m_workbench.send(orders::DismissStops{});
     if (!key.startsWith(QLatin1String(resetKey)))

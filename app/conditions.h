@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/banner.h"
 #include "widgets/common/workbench.h"
 
 #include <map>
@@ -9,7 +10,6 @@
 namespace mb {
 
 class Arming;
-class BannerStack;
 struct DeviceView;
 
 /// Keeps the banners above the pages in step with links and devices: what is lost, locked, stopped, or forgotten by a board
@@ -27,18 +27,18 @@ private:
     void followUpdates();
     void followReset(const DeviceView &device);
     [[nodiscard]] QString resetTitle(const DeviceView &device, int lost) const;
-    void endReset(DeviceId device);
     void followOwed();
-    void payOwed(const QString &key);
+    /// It stands until a look at everything does not post it.
+    void post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
+        const QString &action = {}, const QString &other = {});
     void act(const QString &key);
+    void settleOwed(const QString &key, bool keep);
     void written(DeviceId device, const Result<void> &result);
 
     Workbench &m_workbench;
     Arming &m_arming;
     BannerStack &m_banners;
-    std::set<QString> m_owed;               ///< with a banner
-    std::set<QString> m_updates;            ///< with a banner
-    std::set<DeviceId> m_reset;             ///< with a banner
+    std::set<QString> m_standing;           ///< with a banner
     std::map<DeviceId, QString> m_failures; ///< of writing again, by device
 };
 

@@ -69,6 +69,7 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     restoreGeometry(settings.geometry());
     connect(&workbench, &Workbench::changed, this, &MainWindow::follow);
     connect(m_arming, &Arming::changed, this, &MainWindow::follow);
+    connect(m_arming, &Arming::changed, &m_selection, &Selection::keep);
     connect(&m_selection, &Selection::changed, this, &MainWindow::follow);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state == Qt::ApplicationInactive && m_arming->hasMotion())
@@ -143,6 +144,8 @@ void MainWindow::buildPages()
     addPages();
     connect(m_pages, &PageStack::pageMade, this, &MainWindow::pageMade);
     connect(m_pages, &PageStack::shownChanged, this, &MainWindow::followInspector);
+    // whoever turns a page works with what is selected
+    connect(m_pages, &PageStack::shownChanged, &m_selection, &Selection::keep);
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }
 
@@ -174,7 +177,7 @@ void MainWindow::addAbovePages(QWidget &strip)
 void MainWindow::buildProduction()
 {
     auto *bench = new ProductionPage(m_workbench, families(), m_theme, m_faces);
-    m_production = new ProductionFace(*this, *m_faces, *bench, m_docks->all());
+    m_production = new ProductionFace(*this, *m_faces, *bench, *m_docks);
     connect(bench, &ProductionPage::leaveRequested, m_production, [this] { m_production->show(false); });
 }
 

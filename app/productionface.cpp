@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/productionface.h"
 
-#include <QDockWidget>
+#include "app/sidedocks.h"
+
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QStatusBar>
 
 namespace mb {
 
-ProductionFace::ProductionFace(
-    QMainWindow &window, QStackedWidget &faces, QWidget &bench, std::vector<QDockWidget *> docks)
+ProductionFace::ProductionFace(QMainWindow &window, QStackedWidget &faces, QWidget &bench, SideDocks &docks)
     : QObject(&window)
     , m_window(window)
     , m_faces(faces)
     , m_bench(bench)
-    , m_docks(std::move(docks))
+    , m_docks(docks)
 {
     faces.addWidget(&bench);
 }
@@ -28,13 +28,7 @@ void ProductionFace::show(bool on)
 {
     if (on == isShown())
         return;
-    for (QDockWidget *dock : on ? m_docks : m_hidden) {
-        if (on && dock->isVisibleTo(&m_window))
-            m_hidden.push_back(dock);
-        dock->setVisible(!on);
-    }
-    if (!on)
-        m_hidden.clear();
+    m_docks.putAway(on);
     m_window.statusBar()->setVisible(!on);
     m_faces.setCurrentIndex(on ? m_faces.indexOf(&m_bench) : 0);
     m_window.setWindowState(

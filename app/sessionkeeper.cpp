@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -33,6 +34,7 @@ SessionKeeper::SessionKeeper(MainWindow &window, Workbench &workbench, SessionBo
     m_time.setInterval(writingTime);
     connect(&m_time, &QTimer::timeout, this, &SessionKeeper::follow);
     connect(&workbench, &Workbench::changed, this, &SessionKeeper::takeUp);
+    connect(&window.selection(), &Selection::kept, this, [this] { m_wanted = {}; });
     m_time.start();
 }
 
@@ -111,12 +113,12 @@ void SessionKeeper::takeUp()
         devices, [this](const DeviceView &device) { return device.selector == m_wanted.selected.toStdString(); });
     if (found == devices.end())
         return;
-    m_window.selection().select(found->id, m_wanted.axis);
+    const SessionRecord wanted = std::exchange(m_wanted, {});
+    m_window.selection().select(found->id, wanted.axis);
     for (int page = 0; page < static_cast<int>(pageNames.size()); ++page) {
-        if (pageName(page) == m_wanted.page)
+        if (pageName(page) == wanted.page)
             m_window.showPage(static_cast<PageId>(page));
     }
-    m_wanted = {};
 }
 
 } // namespace mb

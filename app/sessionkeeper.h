@@ -15,7 +15,7 @@ class MainWindow;
 class SessionKeeper : public QObject {
     Q_OBJECT
 public:
-    /// For so long after its links were opened the selection of a session is taken up.
+    /// For so long after its links were opened the selection of a session is taken up, unless somebody chooses, arms or turns the page.
     static constexpr Duration patience = std::chrono::seconds(20);
 
     SessionKeeper(MainWindow &window, Workbench &workbench, SessionBook &book, qint64 begun);

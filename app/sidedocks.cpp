@@ -93,13 +93,31 @@ void SideDocks::buildInspector(Selection &selection, const ThemeSource &theme)
 
 void SideDocks::addTo(PageKeys &keys)
 {
-    const auto flip = [](QDockWidget *dock) { return [dock] { dock->setVisible(!dock->isVisible()); }; };
+    const auto flip
+        = [this](QDockWidget *dock) { return [this, dock] { dock->setVisible(!dock->isVisible() && !m_away); }; };
     keys.add({Qt::Key_F9}, tr("shows or hides the devices"), flip(m_devices));
     keys.add({Qt::Key_F10}, tr("shows or hides the inspector"), flip(m_inspector));
 }
 
+void SideDocks::putAway(bool away)
+{
+    m_away = away;
+    if (!away) {
+        for (QDockWidget *dock : std::exchange(m_before, {}))
+            dock->show();
+        return;
+    }
+    for (QDockWidget *dock : {m_devices, m_inspector}) {
+        if (dock->isVisibleTo(&m_window))
+            m_before.push_back(dock);
+        dock->hide();
+    }
+}
+
 void SideDocks::follow(bool overview)
 {
+    if (m_away)
+        return;
     const bool room = m_window.width() >= m_theme.theme().u(roomyWidth);
     if (room && m_room)
         m_width = m_devices->width();

@@ -25,9 +25,10 @@ public:
         Workbench &workbench, Selection &selection, const ThemeSource &theme, Settings &settings, QMainWindow &window);
 
     [[nodiscard]] DeviceTree &devices() { return *m_tree; }
-    [[nodiscard]] std::vector<QDockWidget *> all() const { return {m_devices, m_inspector}; }
     /// F9 and F10, into the table of the window.
     void addTo(PageKeys &keys);
+    /// Nothing stands beside the middle of the window, whatever happens, until what stood there is brought back.
+    void putAway(bool away);
     /// Shows the inspector on the overview, where there is room for it, and hides it elsewhere. F10 is respected until that changes.
     void follow(bool overview);
 
@@ -44,7 +45,9 @@ private:
     DeviceTree *m_tree = nullptr;
     QDockWidget *m_devices = nullptr;
     QDockWidget *m_inspector = nullptr;
-    bool m_useful = false; ///< the inspector
+    bool m_away = false;
+    std::vector<QDockWidget *> m_before; ///< that stood there before they were put away
+    bool m_useful = false;               ///< the inspector
     bool m_room = false;
     int m_width = 0; ///< of the devices while there is room for all, in pixels
 };

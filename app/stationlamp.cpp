@@ -43,6 +43,7 @@ LampStatus StationLamp::over(LampStatus status) const
     if (!m_workbench.service().running || (status.state != LampState::Safe && status.state != LampState::Stopped))
         return status;
     const ServiceView &view = m_workbench.service();
+    status.candidate = {};
     status.remaining.reset();
     if (const service::QueueRow *row = tested()) {
         status.state = LampState::Moving;

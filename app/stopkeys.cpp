@@ -23,8 +23,7 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
         announce(key, key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
         return false; // it still closes dialogs and clears fields
     }
-    const bool plainSpace = key.key() == Qt::Key_Space && (key.modifiers() & ~Qt::KeypadModifier) == 0;
-    if (!plainSpace || acceptsLetters(QApplication::focusWidget()))
+    if (key.key() != Qt::Key_Space || acceptsLetters(QApplication::focusWidget()))
         return false;
     announce(key, QStringLiteral("Space"));
     return event->type() == QEvent::KeyPress; // Space never activates a button

@@ -8,7 +8,7 @@ class QKeyEvent;
 namespace mb {
 
 /// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless words can be typed
-/// where the focus is (acceptsLetters()). Install on the
+/// where the focus is (acceptsLetters()), whatever else is held. Install on the
 /// application: it sees keys before dialogs, editors, shortcuts and a drag of the pointer do.
 class StopKeys : public QObject {
     Q_OBJECT

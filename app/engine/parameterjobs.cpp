@@ -200,7 +200,7 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
                          : settings::undo(device, settings::Origin::Window, *m_settings, progress);
         },
         [this, again = order.again, finished](Operations::Job &job, const Result<settings::SettingsChange> &change) {
-            m_provisional.look(job.device, false);
+            m_provisional.look(job.device, true);
             if (const Device *device = m_context.session.find(job.device); device && change)
                 m_context.log.tell(Severity::Good, *device,
                     again ? say("written again: %1", settings::textOf(device->family(), *change))

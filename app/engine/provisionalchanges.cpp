@@ -80,8 +80,12 @@ void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &op
                }));
     });
     for (const SettingsChange &change : open) {
-        if (!device || find(id, change.number))
+        if (!device)
             continue;
+        if (Entry *known = find(id, change.number)) {
+            known->change = change; // what was written over is no more of it
+            continue;
+        }
         m_entries.push_back({id, change, std::nullopt});
         const bool isNew = counting && &change == &open.back();
         if (isNew || actsLater(device->family(), change))

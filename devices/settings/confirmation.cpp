@@ -51,15 +51,35 @@ bool isInForce(const Device &device, const std::vector<ValueChange> &values)
     });
 }
 
-/// Values that a later change was seen to replace are somebody else's business.
-void forgetReplaced(std::vector<SettingsChange> &open, const SettingsChange &later)
+/// What nobody has kept of this value, where it stood; where something else may be in force now it does no more.
+std::optional<ValueChange> takeOpen(std::vector<SettingsChange> &open, const ValueChange &later)
 {
-    for (SettingsChange &change : open)
-        std::erase_if(change.values, [&later](const ValueChange &value) {
-            return std::ranges::any_of(later.values, [&value](const ValueChange &other) {
-                return other.key == value.key && (other.proof == Proof::Equal || other.proof == Proof::Blind);
-            });
-        });
+    std::optional<ValueChange> taken;
+    for (SettingsChange &change : open) {
+        const auto found = std::ranges::find(change.values, later.key, &ValueChange::key);
+        if (found == change.values.end())
+            continue;
+        taken = *found;
+        if (later.proof != Proof::Open)
+            change.values.erase(found);
+    }
+    return taken;
+}
+
+/// Of a change its values that somebody has to keep.
+std::vector<ValueChange> openOf(const Family &family, const SettingsChange &change, std::vector<SettingsChange> &before)
+{
+    const bool asks
+        = change.purpose == Purpose::Provisional || change.purpose == Purpose::Undo || change.purpose == Purpose::Redo;
+    std::vector<ValueChange> values;
+    for (ValueChange value : change.values) {
+        const auto over = value.proof == Proof::Refused ? std::nullopt : takeOpen(before, value);
+        if (over && change.origin == Origin::Window)
+            value.before = over->before;
+        if (asks || (over && change.origin == Origin::Window))
+            values.push_back(std::move(value));
+    }
+    return toConfirm(family, values);
 }
 
 } // namespace
@@ -88,11 +108,11 @@ std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const Se
     for (const SettingsChange &change : changes) {
         if (change.purpose == Purpose::Keep)
             std::erase_if(open, [&change](const SettingsChange &known) { return known.number == change.of; });
-        forgetReplaced(open, change);
-        if (change.purpose != Purpose::Provisional)
+        std::vector<ValueChange> values = openOf(family, change, open);
+        if (values.empty())
             continue;
         open.push_back(change);
-        open.back().values = toConfirm(family, change.values);
+        open.back().values = std::move(values);
     }
     std::erase_if(open, [](const SettingsChange &change) { return change.values.empty(); });
     return open;

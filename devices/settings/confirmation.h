@@ -17,8 +17,10 @@ inline constexpr Duration confirmTime = std::chrono::seconds(30);
 /// The same of values that are about to be written, by what is known of the device.
 [[nodiscard]] bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes);
 
-/// The provisional changes of a unit (Purpose::Provisional) that nobody has kept, undone or reverted, oldest first, with what
-/// of them is still in force as far as the history knows. `changes`: all of the unit, oldest first.
+/// The changes of a unit whose values nobody has kept or reverted, oldest first, with what of them is still in force as far as
+/// the history knows: those of Purpose::Provisional, and what an undo or a redo has made livelier. What the window writes over
+/// such a value takes its place, measured by what was kept last; what anybody else writes is decided.
+/// `changes`: all of the unit, oldest first.
 [[nodiscard]] std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes);
 
 /// The same, asked for, and only what the device is not known to have otherwise by now: after a write, and of a unit that

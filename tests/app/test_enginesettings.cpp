@@ -211,6 +211,55 @@ TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
     EXPECT_EQ(known("current_limit.peak"), old * 2);
 }
 
+TEST_F(SettingsCore, ASecondWriteDoesNotWalkAroundTheQuestion)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    for (const std::int64_t second : {old * 3, old * 3 / 2}) {
+        ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+        clock.advance(20s);
+        ASSERT_TRUE(write({change("current_limit.peak", second)}));
+        clock.advance(20s);
+        ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+        EXPECT_NEAR(core.snapshot().unconfirmed.front().left, 10.0, 0.5) << "of the newest";
+        EXPECT_EQ(known("current_limit.peak"), second);
+        clock.advance(11s);
+        EXPECT_EQ(known("current_limit.peak"), old);
+        EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    }
+}
+
+TEST_F(SettingsCore, WhatASecondWriteLeftOpenGoesBackInItsOwnTime)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    const std::int64_t other = known("current_limit.continuous").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2), change("current_limit.continuous", other + 65536)}));
+    clock.advance(20s);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 3)}));
+    clock.advance(11s);
+    EXPECT_EQ(known("current_limit.continuous"), other);
+    EXPECT_EQ(known("current_limit.peak"), old * 3);
+    clock.advance(20s);
+    EXPECT_EQ(known("current_limit.peak"), old);
+}
+
+TEST_F(SettingsCore, AnUndoThatWidensALimitGoesBackUnlessSomebodyKeepsIt)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old / 2)}));
+    core.send(orders::UndoWrite{id(), false}, heard());
+    ASSERT_TRUE(ends());
+    clock.advance(1s);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Counting);
+    clock.advance(31s);
+    EXPECT_EQ(known("current_limit.peak"), old / 2);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+}
+
 TEST_F(SettingsCore, AWiderLimitGoesBackOnceTheDeviceIsFreeWhereAJobHasItWhenTheTimeIsOver)
 {
     clock.advance(3s);

@@ -8,6 +8,7 @@
 #include "widgets/common/banner.h"
 
 #include <QImage>
+#include <QPushButton>
 #include <QTest>
 
 #include <algorithm>
@@ -20,6 +21,8 @@ class ConditionsTest : public QObject {
 private Q_SLOTS:
     void anUpdateThatMayBeCutIsNotSaidToNeedItsPower();
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
+    void aNoticeEndsWithWhatItIsOf();
+    void gainsThatAreOwedMayBeKeptAsTheyAre();
 };
 
 namespace {
@@ -99,6 +102,47 @@ void ConditionsTest::whatWasStoppedByHandIsNotDrawnAsWhatRuns()
     notices.follow();
     QCOMPARE(notices.standing().cause(), QStringLiteral("Stopped: Esc"));
     QVERIFY(notices.glyph() != runs);
+}
+
+void ConditionsTest::aNoticeEndsWithWhatItIsOf()
+{
+    Notices notices;
+    LinkView link;
+    link.address = link.name = "ttyUSB0";
+    link.state = LinkState::Lost;
+    notices.workbench.shot.links = {link};
+    notices.workbench.device(0).liveness.foreignMaster = true;
+    notices.follow();
+    QCOMPARE(notices.stack.count(), 2);
+    notices.workbench.shot.links.clear(); // somebody has closed it
+    notices.follow();
+    QCOMPARE(notices.standing().cause(), QStringLiteral("Another master drives DMC60C #5"));
+    notices.workbench.shot.devices.clear();
+    notices.follow();
+    QCOMPARE(notices.stack.count(), 0);
+}
+
+void ConditionsTest::gainsThatAreOwedMayBeKeptAsTheyAre()
+{
+    Notices notices;
+    tuning::OwedGains owed;
+    owed.trial = 41;
+    notices.workbench.owed[{1}] = {owed};
+    notices.follow();
+    const auto click = [&notices](const char *name) {
+        for (QPushButton *button : notices.standing().findChildren<QPushButton *>()) {
+            if (button->isVisible() && button->text() == QLatin1String(name))
+                button->click();
+        }
+    };
+    click("Put them back");
+    QCOMPARE(notices.workbench.given<orders::PayGains>().size(), std::size_t{1});
+    QVERIFY(notices.workbench.given<orders::DismissGains>().empty());
+    click("Keep what it has");
+    const auto kept = notices.workbench.given<orders::DismissGains>();
+    QCOMPARE(kept.size(), std::size_t{1});
+    QVERIFY(kept.front().device == DeviceId{1} && kept.front().trial == 41);
+    QCOMPARE(notices.workbench.given<orders::PayGains>().size(), std::size_t{1});
 }
 
 MB_WINDOW_TEST(ConditionsTest);

@@ -3,12 +3,15 @@
 #include "support/windowtests.h"
 #include "windowbench.h"
 
+#include "app/productionface.h"
+
 #include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
@@ -25,6 +28,7 @@ class FaceTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void everyControlHasAnAccessibleName();
+    void nothingStandsBesideProduction();
     void everyPageIsPainted_data();
     void everyPageIsPainted();
     void badArgumentsGetOneLine_data();
@@ -84,6 +88,28 @@ void FaceTest::everyControlHasAnAccessibleName()
     }
     QVERIFY(controls > 60);
     QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QLatin1Char('\n'))));
+}
+
+void FaceTest::nothingStandsBesideProduction()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    MainWindow &window = bench.window();
+    auto *inspector = window.findChild<QDockWidget *>(QStringLiteral("inspectorDock"));
+    QVERIFY(inspector->isVisible());
+    window.production().show(true);
+    window.showPage(PageId::Tune);
+    window.showPage(PageId::Overview); // where the inspector belongs, behind the bench
+    QVERIFY(!inspector->isVisible());
+    QTest::keyClick(&window, Qt::Key_F10);
+    QVERIFY(!inspector->isVisible());
+    window.production().show(false);
+    QVERIFY(inspector->isVisible());
+    QTest::keyClick(&window, Qt::Key_F10);
+    QVERIFY(!inspector->isVisible());
+    window.production().show(true);
+    window.production().show(false);
+    QVERIFY(!inspector->isVisible()); // as somebody left it
 }
 
 void FaceTest::everyPageIsPainted_data()

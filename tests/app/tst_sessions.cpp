@@ -11,6 +11,7 @@
 #include "app/welcome.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
+#include "widgets/connection/deviceactions.h"
 #include "widgets/connection/startpage.h"
 
 #include <QFile>
@@ -19,6 +20,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <csignal>
 
 #include <sys/wait.h>
@@ -107,6 +109,8 @@ private Q_SLOTS:
     void whoHasALinkIsSaid();
     void whoHasAPortIsFound();
     void theWindowComesBackToWhereItWas();
+    void aSessionTakesNobodysUnitAway_data();
+    void aSessionTakesNobodysUnitAway();
     void aCrashedSessionIsOpenedAgain();
     void timesAreSaidAsPeopleSayThem();
 
@@ -278,6 +282,41 @@ void SessionsTest::theWindowComesBackToWhereItWas()
     };
     QTRY_COMPARE_WITH_TIMEOUT(selected(), QStringLiteral("sim:can/dmc60c:7"), patience);
     QTRY_COMPARE_WITH_TIMEOUT(window.shownPage(), PageId::Parameters, patience);
+}
+
+void SessionsTest::aSessionTakesNobodysUnitAway_data()
+{
+    QTest::addColumn<bool>("selects");
+    QTest::newRow("somebody has selected another") << true;
+    QTest::newRow("somebody has turned the page") << false;
+}
+
+/// The unit of the session before answers late.
+void SessionsTest::aSessionTakesNobodysUnitAway()
+{
+    QFETCH(const bool, selects);
+    write(sessions(), record(1000, true));
+    Application application(*qApp, plainOptions());
+    application.start();
+    MainWindow &window = application.window();
+    const auto find = [&application](const char *selector) -> const DeviceView * {
+        const auto &all = application.engine().snapshot().devices;
+        const auto found = std::ranges::find(all, selector, &DeviceView::selector);
+        return found == all.end() ? nullptr : &*found;
+    };
+    openAddress(application.engine(), QStringLiteral("sim:spi"), {});
+    QTRY_VERIFY_WITH_TIMEOUT(find("sim:spi/quadquad2drv:0"), patience);
+    const DeviceId mine = find("sim:spi/quadquad2drv:0")->id;
+    QTRY_COMPARE_WITH_TIMEOUT(window.selection().device(), mine, patience); // the only one
+    if (selects)
+        window.selection().select(mine);
+    else
+        window.showPage(PageId::Bus);
+    const PageId page = window.shownPage();
+    openAddress(application.engine(), QStringLiteral("sim:can"), {});
+    QTRY_VERIFY_WITH_TIMEOUT(find("sim:can/dmc60c:7"), patience);
+    QCOMPARE(window.selection().device(), mine);
+    QCOMPARE(window.shownPage(), page);
 }
 
 void SessionsTest::aCrashedSessionIsOpenedAgain()

@@ -4,9 +4,11 @@
 #include "support/windowtests.h"
 
 #include "app/stationlamp.h"
+#include "model/registry.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/control/arming.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace mb;
@@ -20,6 +22,7 @@ private Q_SLOTS:
     void aMotorThatTurnsIsNotHiddenByTheNoticeOfTheNext();
     void aTestThatIsAnnouncedTurnsNothingYet();
     void unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing();
+    void whatIsHeldForOneDeviceArmsNoOther();
 };
 
 namespace {
@@ -96,6 +99,30 @@ void StationLampTest::unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing(
     station.workbench.served.announced = 2;
     station.serveTests(2);
     QCOMPARE(station.state(), LampState::Armed);
+}
+
+void StationLampTest::whatIsHeldForOneDeviceArmsNoOther()
+{
+    LampBench station;
+    for (const std::uint32_t id : {1U, 2U}) {
+        DeviceView device;
+        device.id = {id};
+        device.family = findFamily(families(), "dmc60c");
+        device.liveness.heard = true;
+        station.workbench.shot.devices.push_back(device);
+    }
+    station.selection.select({1});
+    station.lamp.follow();
+    Lamp &button = station.header.lamp();
+    QVERIFY(button.status().armable);
+    const QSignalSpy holding(&button, &Lamp::holdingChanged);
+    button.hold();
+    station.lamp.follow();
+    QCOMPARE(holding.size(), 1);
+    station.selection.select({2});
+    station.lamp.follow();
+    QCOMPARE(holding.size(), 2);
+    QCOMPARE(button.holdProgress(), 0.0);
 }
 
 MB_WINDOW_TEST(StationLampTest);

@@ -10,6 +10,7 @@
 
 #include <QDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QWindow>
 
@@ -39,6 +40,8 @@ private Q_SLOTS:
     void aDragDoesNotTakeTheStopKeys();
     void spaceIsTextWhereTextIsEditedAndEscStillStops();
     void spaceStopsInAFieldForNumbers();
+    void spaceStopsWhateverIsHeldWithItAndPressesNoButton_data();
+    void spaceStopsWhateverIsHeldWithItAndPressesNoButton();
     void theButtonStopsOnPress();
     void closingTheWindowStops();
     void aWindowThatHangsStopsTheMotor();
@@ -148,6 +151,30 @@ void StopTest::spaceStopsInAFieldForNumbers()
     QCOMPARE(field->text(), QStringLiteral("250"));
     QTest::keyClick(m_bench->window().windowHandle(), Qt::Key_Space);
     QCOMPARE(field->text(), QStringLiteral("250"));
+    verifyStopped(QStringLiteral("Space"));
+}
+
+void StopTest::spaceStopsWhateverIsHeldWithItAndPressesNoButton_data()
+{
+    QTest::addColumn<int>("held");
+    QTest::newRow("Shift") << static_cast<int>(Qt::ShiftModifier);
+    QTest::newRow("Ctrl") << static_cast<int>(Qt::ControlModifier);
+    QTest::newRow("Alt") << static_cast<int>(Qt::AltModifier);
+    QTest::newRow("Meta") << static_cast<int>(Qt::MetaModifier);
+    QTest::newRow("keypad") << static_cast<int>(Qt::KeypadModifier);
+}
+
+void StopTest::spaceStopsWhateverIsHeldWithItAndPressesNoButton()
+{
+    QFETCH(const int, held);
+    QPushButton button(&m_bench->window());
+    button.show();
+    drive();
+    button.setFocus();
+    QVERIFY(button.hasFocus());
+    QSignalSpy pressed(&button, &QPushButton::pressed);
+    QTest::keyClick(m_bench->window().windowHandle(), Qt::Key_Space, static_cast<Qt::KeyboardModifier>(held));
+    QVERIFY(pressed.isEmpty());
     verifyStopped(QStringLiteral("Space"));
 }
 

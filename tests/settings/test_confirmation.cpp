@@ -142,6 +142,64 @@ TEST_F(Confirmations, WhatWasUndoneOrReplacedIsNobodysQuestion)
     EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
 }
 
+TEST_F(Confirmations, WhatIsWrittenOverAnOpenValueGoesBackToWhatWasKeptLast)
+{
+    struct Row {
+        const char *of;
+        double second; ///< of what was kept
+        bool isOpen;
+    };
+    for (const Row &row : {Row{"wider again", 3.0, true}, Row{"narrower, but not enough", 1.5, true},
+             Row{"as it was kept", 1.0, false}, Row{"narrower than that", 0.5, false}}) {
+        SCOPED_TRACE(row.of);
+        Device &five = *bench.device(5);
+        const std::int64_t old = 20 * amperes;
+        ASSERT_TRUE(write(five, {change(five, "current_limit.peak", old)}));
+        const auto before = run(settings::findUnconfirmed(five, *book));
+        for (const SettingsChange &open : *before)
+            ASSERT_TRUE(run(settings::keepChange(five, open.number, *book)));
+        provisional(five, {change(five, "current_limit.peak", old * 2), change(five, "slot0.max_forward", 100)});
+        const auto second = static_cast<std::int64_t>(static_cast<double>(old) * row.second);
+        const ParameterChange wanted = change(five, "current_limit.peak", second);
+        if (settings::mustBeConfirmed(five, {{wanted}}))
+            provisional(five, {wanted});
+        else
+            ASSERT_TRUE(write(five, {wanted}));
+        const auto left = *run(settings::findUnconfirmed(five, *book));
+        ASSERT_EQ(left.size(), row.isOpen ? 1U : 0U);
+        if (!row.isOpen)
+            continue;
+        const std::vector<settings::ValueChange> open{{"current_limit.peak", old, second, Proof::Equal}};
+        EXPECT_EQ(left.front().values, open);
+        ASSERT_TRUE(run(settings::putBack(five, left.front(), *book, progress)));
+        EXPECT_EQ(reads(five, "current_limit.peak"), old);
+        EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+    }
+}
+
+TEST_F(Confirmations, WhatTheConsoleSetsIsDecided)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    provisional(five, {change(five, "current_limit.peak", *old * 2)});
+    ASSERT_TRUE(run(settings::writeKept(
+        five, {change(five, "current_limit.peak", *old * 3)}, {Origin::Console}, book.get(), progress)));
+    EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+}
+
+TEST_F(Confirmations, AnUndoThatWidensALimitIsAsked)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    ASSERT_TRUE(write(five, {change(five, "current_limit.peak", *old / 2)}));
+    ASSERT_TRUE(run(settings::undo(five, Origin::Window, *book, progress)));
+    const auto left = *run(settings::findUnconfirmed(five, *book));
+    ASSERT_EQ(left.size(), 1U);
+    ASSERT_TRUE(run(settings::putBack(five, left.front(), *book, progress)));
+    EXPECT_EQ(reads(five, "current_limit.peak"), *old / 2);
+    EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+}
+
 TEST_F(Confirmations, NothingIsWrittenWhileTheMotorTurns)
 {
     Device &five = *bench.device(5);

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void theModelIsToldInTheWordsOfTheReport();
     void whatIsNotKnownOfAModelHasNoLine();
     void theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered();
+    void ofABoardTheAxisThatWasSelectedLastIsTunedAndNamed();
     void eachStimulusIsSaidWhileItRuns();
     void theSetsAndTheSlidersAreInSightInTheSmallestWindow();
     void theChosenSetAndTheOrderThatProvesItAreInSightAtLargeText();
@@ -181,6 +182,29 @@ void TestDesignSight::theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered(
     QVERIFY2(said.contains(pushes), qPrintable(said));
     QCOMPARE(said.count(QStringLiteral("counts from where it stands")), 2); // the steps of the proof have their own
     QVERIFY(bench.workbench.given<orders::RunTuning>().size() == 1);
+}
+
+void TestDesignSight::ofABoardTheAxisThatWasSelectedLastIsTunedAndNamed()
+{
+    DesignBench bench;
+    DeviceView board;
+    board.id = {2};
+    board.family = findFamily(families(), "quadquad2drv");
+    board.link = board.unit = "sim:spi";
+    board.liveness.heard = true;
+    board.telemetry = std::make_shared<Telemetry>(board.family->channels);
+    board.parameters.edit().resize(board.family->parameters.size());
+    bench.workbench.shot.devices.push_back(board);
+    bench.selection.select({2}, 3);
+    bench.selection.select({1});
+    bench.selection.select({2}); // as on the page Tune
+    bench.workbench.publish();
+    QVERIFY2(bench.page->status().remedy.contains(QStringLiteral("Axis 3")), qPrintable(bench.page->status().remedy));
+    bench.arming.arm({2});
+    bench.page->autotune();
+    const auto ordered = bench.workbench.given<orders::RunTuning>();
+    QCOMPARE(ordered.size(), std::size_t{1});
+    QCOMPARE(ordered.front().plan.axis, 3);
 }
 
 void TestDesignSight::eachStimulusIsSaidWhileItRuns()

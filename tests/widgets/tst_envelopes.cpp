@@ -24,8 +24,10 @@ private Q_SLOTS:
     void twoWindowsKeepWhatEachHasEntered();
     void namedLimitsAreChosenAgain();
     void limitsGoAlongWhenAUnitTellsItsSerialNumber();
+    void whatWasEnteredForNobodyIsNotOfTheNextUnit();
     void anotherFileIsSaidAndLeftAlone();
     void eachUnitHasItsOwn();
+    void theLimitsOfOneMotorAreNotThoseOfTheNext();
     void whatIsNoLimitIsNotTakenAndNothingRuns_data();
     void whatIsNoLimitIsNotTakenAndNothingRuns();
     void nothingIsTunedWithALimitThatIsNone();
@@ -139,6 +141,20 @@ void TestEnvelopes::limitsGoAlongWhenAUnitTellsItsSerialNumber()
     QVERIFY(current->text().isEmpty());
 }
 
+void TestEnvelopes::whatWasEnteredForNobodyIsNotOfTheNextUnit()
+{
+    const ThemeSource theme(lightTheme());
+    EnvelopePanel panel(theme);
+    panel.choose("", false);
+    QTest::keyClicks(limitField(panel, "Envelope: Current"), s("12"));
+    panel.choose("", true); // it has not told yet
+    QCOMPARE(panel.entered().current, std::optional(12.0));
+    panel.choose("", false);
+    QVERIFY(!panel.entered().current);
+    panel.choose("another unit", true);
+    QVERIFY(panel.book().entered("another unit") == Envelope());
+}
+
 void TestEnvelopes::anotherFileIsSaidAndLeftAlone()
 {
     const QTemporaryDir folder;
@@ -165,6 +181,22 @@ void TestEnvelopes::eachUnitHasItsOwn()
     QVERIFY(book.names("b").isEmpty());
     QCOMPARE(book.names("a"), QStringList{s("far")});
     QCOMPARE(book.named("a", s("far")).travel, std::optional(500.0));
+}
+
+void TestEnvelopes::theLimitsOfOneMotorAreNotThoseOfTheNext()
+{
+    TrialBench bench;
+    bench.workbench.shot.devices.push_back(tunableDrive(bench.recording.telemetry(), 2, 7));
+    bench.workbench.publish();
+    EnvelopePanel &panel = bench.page->column().envelope();
+    enter(bench, "Envelope: Current", "20");
+    bench.selection.select({2});
+    bench.workbench.publish();
+    QVERIFY(!panel.entered().current);
+    QVERIFY(bench.find<QLineEdit>("Envelope: Current")->text().isEmpty());
+    QVERIFY(panel.book().entered(bench.workbench.device(1).unit) == Envelope());
+    bench.selection.select({1});
+    QCOMPARE(panel.entered().current, std::optional(20.0));
 }
 
 void TestEnvelopes::whatIsNoLimitIsNotTakenAndNothingRuns_data()

@@ -136,6 +136,7 @@ class TestHistory : public QObject {
 private Q_SLOTS:
     void theNewestStateIsComparedFirst();
     void whatIsTickedIsRestored();
+    void aRestoreWaitsForTheDecisionAboutTheOneBefore();
     void ticksStayUntilAnotherStateIsChosen();
     void factoryDefaultsComeUnticked();
     void aRestoreDoesNotTurnTheComparisonRound();
@@ -369,6 +370,22 @@ void TestHistory::whatIsTickedIsRestored()
     QCOMPARE(calls[0].changes[0].raw, rawOf("slot1.p", 2));
     calls[0].finished(fail(Fault::BadCheck, say("slot1.p was written as 2 but reads 1")));
     QVERIFY(says(bench, QStringLiteral("slot1.p was written as 2 but reads 1")));
+}
+
+void TestHistory::aRestoreWaitsForTheDecisionAboutTheOneBefore()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.count(), 3);
+    QVERIFY(button(bench, QStringLiteral("Restore 2"))->isEnabled());
+    UnconfirmedView open;
+    open.device = bench.workbench.device(0).id;
+    bench.workbench.shot.unconfirmed = {open};
+    bench.workbench.publish();
+    const QAbstractButton *const waits = button(bench, QStringLiteral("Keep or put back first"));
+    QVERIFY(waits && !waits->isEnabled());
+    bench.workbench.shot.unconfirmed.clear();
+    bench.workbench.publish();
+    QVERIFY(button(bench, QStringLiteral("Restore 2"))->isEnabled());
 }
 
 void TestHistory::theTimelineTellsWhoWroteWhatFromWhere()

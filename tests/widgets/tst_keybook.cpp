@@ -73,6 +73,8 @@ private Q_SLOTS:
     void stopAndArmKeepTheirKeys();
     void aChosenKeyHoldsAtOnceEverywhere();
     void aKeyOnAButtonIsInTheWordsOfTheLanguage();
+    void aKeyThatIsHeldIsOneWish_data();
+    void aKeyThatIsHeldIsOneWish();
     void theKeyItCameWithComesBackUnlessItIsTaken();
     void twoCommandsMayExchangeTheirKeys();
     void whatWasWrittenByHandTakesNoStopKeyAway();
@@ -114,8 +116,9 @@ void KeyBookTest::theSameKeyMayServeTwoPages()
 void KeyBookTest::stopAndArmKeepTheirKeys_data()
 {
     QTest::addColumn<QString>("wish");
-    for (const char *wish : {"Esc", "Shift+Esc", "Ctrl+Esc", "Pause", "Ctrl+Pause", "Space", "Ctrl+Shift+F12", "Tab",
-             "Return", "Enter", "Left", "Shift+Tab", "Backspace", "Home"})
+    for (const char *wish :
+        {"Esc", "Shift+Esc", "Ctrl+Esc", "Pause", "Ctrl+Pause", "Space", "Shift+Space", "Ctrl+Space", "Alt+Space",
+            "Meta+Space", "Ctrl+Shift+F12", "Tab", "Return", "Enter", "Left", "Shift+Tab", "Backspace", "Home"})
         QTest::newRow(wish) << QString::fromLatin1(wish);
 }
 
@@ -183,6 +186,34 @@ void KeyBookTest::aKeyOnAButtonIsInTheWordsOfTheLanguage()
         keyShown(bench.tune, QStringLiteral("· it is busy"))};
     QCoreApplication::removeTranslator(&german);
     QCOMPARE(shown, (QStringList{QStringLiteral("Strg+F"), QStringLiteral("F5"), QStringLiteral("· it is busy")}));
+}
+
+void KeyBookTest::aKeyThatIsHeldIsOneWish_data()
+{
+    QTest::addColumn<bool>("chosen");
+    QTest::newRow("as it came") << false;
+    QTest::newRow("after somebody chose keys") << true;
+}
+
+void KeyBookTest::aKeyThatIsHeldIsOneWish()
+{
+    KeyBench bench;
+    int undone = 0;
+    bench.ofTune.add({key("Ctrl+Z")}, QStringLiteral("undoes"), [&undone] { ++undone; });
+    bench.window.show();
+    QApplication::setActiveWindow(&bench.window);
+    QFETCH(const bool, chosen);
+    if (chosen)
+        bench.ofTune.use({});
+    const auto press = [&bench](bool again) {
+        QTest::simulateEvent(&bench.window, true, Qt::Key_Z, Qt::ControlModifier, QString(), again);
+    };
+    press(false);
+    for (int i = 0; i < 5; ++i)
+        press(true);
+    QCOMPARE(undone, 1); // what goes to a unit is ordered each time
+    press(false);
+    QCOMPARE(undone, 2);
 }
 
 void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()

@@ -151,7 +151,7 @@ private Q_SLOTS:
     void threeLinksStandInOneRowBesideTheInspector();
     void everyStepSaysWhatToDo();
     void theFirstUnitThatCanBeTunedIsSelected();
-    void whatTheUserSelectedStays();
+    void whatSomebodyChoseOrWorksWithStays();
     void aRowOfTheStartPageCanBeOpened();
     void nothingIsCutAtTwiceTheFont_data();
     void nothingIsCutAtTwiceTheFont();
@@ -412,20 +412,22 @@ void StartTest::theFirstUnitThatCanBeTunedIsSelected()
     QCOMPARE(selection.device(), DeviceId{2});
 }
 
-void StartTest::whatTheUserSelectedStays()
+void StartTest::whatSomebodyChoseOrWorksWithStays()
 {
-    Selection selection;
-    FirstSelection first(selection);
-    Snapshot shot;
-    DeviceView boot = unit(1, 5);
-    DeviceView other = unit(2, 6);
-    boot.identity.edit().state = other.identity.edit().state = DeviceState::Bootloader;
-    shot.devices = {boot, other};
-    first.follow(shot);
-    selection.select(other.id);
-    shot.devices.push_back(unit(3, 7));
-    first.follow(shot);
-    QCOMPARE(selection.device(), other.id);
+    for (const auto act : {+[](Selection &s) { s.select({2}); }, +[](Selection &s) { s.select({1}); }, // the same one
+             +[](Selection &s) { s.keep(); }}) {
+        Selection selection;
+        FirstSelection first(selection);
+        Snapshot shot;
+        shot.devices = {unit(1, 5)};
+        shot.devices[0].identity.edit().state = DeviceState::Bootloader;
+        first.follow(shot);
+        act(selection);
+        const DeviceId kept = selection.device();
+        shot.devices.push_back(unit(3, 7));
+        first.follow(shot);
+        QCOMPARE(selection.device(), kept);
+    }
 }
 
 void StartTest::aRowOfTheStartPageCanBeOpened()

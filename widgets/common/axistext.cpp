@@ -45,6 +45,12 @@ std::string channelOfAxis(const DeviceView &device, int axis)
     return std::string(axisKey(axis, turnsAxis(device, axis) ? "velocity" : "position"));
 }
 
+QString motorTitle(const DeviceView &device, int axis)
+{
+    const QString title = titleOf(device);
+    return axis > 0 && hasAxes(*device.family) ? AxisText::tr("%1 · %2").arg(title, axisTitle(axis)) : title;
+}
+
 QString axisTitle(int axis)
 {
     return AxisText::tr("Axis %1").arg(axis);

@@ -14,6 +14,8 @@ namespace mb {
 
 /// The one place where the state of an axis becomes text and shape. Axes count from 1.
 
+/// "QuadQuad2Drv #0 · Axis 2"; of a device with one motor, or as a whole (0), only the device.
+[[nodiscard]] QString motorTitle(const DeviceView &device, int axis);
 /// "Axis 2"
 [[nodiscard]] QString axisTitle(int axis);
 [[nodiscard]] GlyphState glyphOfAxis(const DeviceView &device, int axis);

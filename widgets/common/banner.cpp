@@ -41,6 +41,13 @@ GlyphState kindGlyph(BannerKind kind)
     return GlyphState::Warning;
 }
 
+void name(QPushButton &button, const QString &text)
+{
+    button.setText(text);
+    button.setAccessibleName(text);
+    button.setVisible(!text.isEmpty());
+}
+
 } // namespace
 
 Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, const QString &remedy, QWidget *parent)
@@ -56,15 +63,18 @@ Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, 
     setTone(*m_remedy, Tone::Dim);
     m_remedy->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_action = new QPushButton(this);
+    m_other = new QPushButton(this);
     m_dismiss = linkButton(tr("Dismiss"), this);
-    for (QPushButton *button : {m_action, m_dismiss})
+    for (QPushButton *button : {m_action, m_other, m_dismiss})
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     new QGridLayout(this);
     connect(m_action, &QPushButton::clicked, this, &Banner::actionTriggered);
+    connect(m_other, &QPushButton::clicked, this, &Banner::otherTriggered);
     connect(m_dismiss, &QPushButton::clicked, this, &Banner::dismissed);
     connect(&theme, &ThemeSource::changed, this, &Banner::restyle);
     setText(cause, remedy);
     setAction({});
+    setOther({});
     restyle();
 }
 
@@ -84,9 +94,12 @@ void Banner::setText(const QString &cause, const QString &remedy)
 
 void Banner::setAction(const QString &text)
 {
-    m_action->setText(text);
-    m_action->setAccessibleName(text);
-    m_action->setVisible(!text.isEmpty());
+    name(*m_action, text);
+}
+
+void Banner::setOther(const QString &text)
+{
+    name(*m_other, text);
 }
 
 void Banner::setTwoLines(bool on)
@@ -107,12 +120,13 @@ void Banner::place()
     auto *grid = qobject_cast<QGridLayout *>(layout());
     const int below = m_twoLines ? 1 : 0;
     const int lines = below + 1;
-    for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_dismiss})
+    for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_other, m_dismiss})
         grid->removeWidget(part);
     grid->addWidget(m_cause, 0, 0, 1, lines);
     grid->addWidget(m_remedy, below, 1 - below, 1, lines);
     grid->addWidget(m_action, 0, 2, lines, 1);
-    grid->addWidget(m_dismiss, 0, 3, lines, 1);
+    grid->addWidget(m_other, 0, 3, lines, 1);
+    grid->addWidget(m_dismiss, 0, 4, lines, 1);
     grid->setColumnStretch(1, 1);
 }
 
@@ -168,19 +182,22 @@ BannerStack::Entry *BannerStack::find(const QString &key)
     return found == m_entries.end() ? nullptr : &*found;
 }
 
-void BannerStack::post(
-    const QString &key, BannerKind kind, const QString &cause, const QString &remedy, const QString &action)
+void BannerStack::post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
+    const QString &action, const QString &other)
 {
     if (Entry *entry = find(key); entry && entry->banner->kind() == kind) {
         entry->banner->setText(cause, remedy);
         entry->banner->setAction(action);
+        entry->banner->setOther(other);
         return;
     }
     clear(key);
     auto *banner = new Banner(m_theme, kind, cause, remedy, this);
     banner->setAction(action);
+    banner->setOther(other);
     banner->setTwoLines(m_twoLines);
     connect(banner, &Banner::actionTriggered, this, [this, key] { Q_EMIT actionTriggered(key); });
+    connect(banner, &Banner::otherTriggered, this, [this, key] { Q_EMIT otherTriggered(key); });
     connect(banner, &Banner::dismissed, this, [this, key] {
         if (Entry *entry = find(key))
             entry->dismissed = true;

@@ -13,7 +13,7 @@ namespace mb {
 enum class BannerKind { Caution, Danger, Ok, Info, Ended };
 
 /// A condition, in one line (two where the window is narrow for the size of the text): glyph, bold cause with its
-/// number, dim remedy, at most one button, Dismiss. What has no room is in the tooltip.
+/// number, dim remedy, at most two buttons, Dismiss. What has no room is in the tooltip.
 class Banner : public QFrame {
     Q_OBJECT
 public:
@@ -25,6 +25,8 @@ public:
     void setText(const QString &cause, const QString &remedy);
     /// A verb with an object; empty hides the button.
     void setAction(const QString &text);
+    /// The other way out of it, where there are two.
+    void setOther(const QString &text);
     /// The cause in a line of its own.
     void setTwoLines(bool on);
     /// Of any banner, whatever it says.
@@ -32,6 +34,7 @@ public:
 
 Q_SIGNALS:
     void actionTriggered();
+    void otherTriggered();
     /// The owner hides or deletes the banner; it does nothing by itself.
     void dismissed();
 
@@ -48,6 +51,7 @@ private:
     QLabel *m_cause = nullptr;
     QLabel *m_remedy = nullptr;
     QPushButton *m_action = nullptr;
+    QPushButton *m_other = nullptr;
     QPushButton *m_dismiss = nullptr;
 };
 
@@ -60,8 +64,8 @@ class BannerStack : public QWidget {
 public:
     explicit BannerStack(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    void post(
-        const QString &key, BannerKind kind, const QString &cause, const QString &remedy, const QString &action = {});
+    void post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
+        const QString &action = {}, const QString &other = {});
     /// The condition has ended.
     void clear(const QString &key);
     /// All that stand, dismissed ones excluded.
@@ -70,6 +74,7 @@ public:
 
 Q_SIGNALS:
     void actionTriggered(const QString &key);
+    void otherTriggered(const QString &key);
     void countChanged(int count);
     /// "3 more notices" was clicked.
     void allRequested();

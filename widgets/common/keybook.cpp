@@ -42,12 +42,14 @@ QString KeyBook::refusal(std::size_t row, const QKeySequence &key) const
     if (key.isEmpty())
         return {};
     const QString text = key.toString(QKeySequence::NativeText);
+    const QKeySequence taken
+        = bare(key) == Qt::Key_Space ? QKeySequence(Qt::Key_Space) : key; // it stops with Shift, too
     if (bare(key) == Qt::Key_Escape || bare(key) == Qt::Key_Pause)
         return KeyWords::tr("%1 stops every motor, always.").arg(text);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const Row &other = m_rows[i];
         const bool together = other.everywhere || m_rows[row].everywhere || other.place == m_rows[row].place;
-        if (i != row && together && has(other.keys, key))
+        if (i != row && together && has(other.keys, taken))
             return KeyWords::tr("%1 is taken, %2: %3. Give that another key first.").arg(text, other.place, other.does);
     }
     constexpr int modified = static_cast<int>(Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);

@@ -26,8 +26,9 @@ Lamp::Lamp(const ThemeSource &theme, QWidget *parent)
 void Lamp::setStatus(const LampStatus &status)
 {
     const LampState before = m_status.state;
+    const bool isOther = status.candidate != m_status.candidate;
     m_status = status;
-    if (m_hold.isUnderWay() && (isLive(m_status) || !status.armable))
+    if (m_hold.isUnderWay() && (isLive(m_status) || !status.armable || isOther))
         endHold(false);
     updateAccessibleText(before);
     updateGeometry();

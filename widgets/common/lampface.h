@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/session.h"
 #include "widgets/common/theme.h"
 
 #include <QCoreApplication>
@@ -23,7 +24,8 @@ struct LampStatus {
     LampState state = LampState::Safe;
     QString detail;
     std::optional<std::chrono::seconds> remaining;
-    bool armable = true; ///< false: holding does nothing, the Arm button is faint
+    bool armable = true;     ///< false: holding does nothing, the Arm button is faint
+    DeviceId candidate = {}; ///< what holding arms: a hold is for that device only
 
     friend bool operator==(const LampStatus &, const LampStatus &) = default;
 };

@@ -33,12 +33,6 @@ bool isSingle(const QKeySequence &keys)
     return modifiers == 0 && bare >= Qt::Key_0 && bare <= Qt::Key_Z;
 }
 
-/// Ctrl+Z held goes on; a letter held is one wish.
-bool mayRepeat(const QKeySequence &key)
-{
-    return (key[0] & static_cast<int>(Qt::ControlModifier)) != 0;
-}
-
 void fill(QGridLayout &grid, QWidget *box, const PageKeys &keys)
 {
     for (const PageKeys::Row &row : keys.rows()) {
@@ -72,7 +66,7 @@ void PageKeys::add(std::vector<QKeySequence> keys, const QString &does, std::fun
     Row row{keys, does, {}, std::move(keys), {}};
     for (const QKeySequence &key : row.keys) {
         auto *shortcut = new QShortcut(key, &m_page);
-        shortcut->setAutoRepeat(mayRepeat(key));
+        shortcut->setAutoRepeat(false); // what goes to a unit is ordered each time
         connect(shortcut, &QShortcut::activated, this, act);
         row.shortcuts.push_back(shortcut);
     }
@@ -106,11 +100,8 @@ void PageKeys::use(const KeyChoices &choices)
         row.keys = chosen == choices.end() ? row.factory : chosen->second;
         if (row.action)
             row.action->setShortcut(row.keys.empty() ? QKeySequence() : row.keys.front());
-        for (std::size_t i = 0; i < row.shortcuts.size(); ++i) {
-            const QKeySequence key = i < row.keys.size() ? row.keys[i] : QKeySequence();
-            row.shortcuts[i]->setKey(key);
-            row.shortcuts[i]->setAutoRepeat(mayRepeat(key));
-        }
+        for (std::size_t i = 0; i < row.shortcuts.size(); ++i)
+            row.shortcuts[i]->setKey(i < row.keys.size() ? row.keys[i] : QKeySequence());
     }
     followFocus(QApplication::focusWidget());
     QEvent event(keysChanged());

@@ -40,7 +40,7 @@ public:
 
     explicit PageKeys(QWidget &page);
 
-    /// Acts on press, and again while it is held where Ctrl is part of it.
+    /// Acts on press, once, however long it is held.
     void add(std::vector<QKeySequence> keys, const QString &does, std::function<void()> act);
     /// The key of an entry of a menu, which has one.
     void add(QAction &action, const QString &does);

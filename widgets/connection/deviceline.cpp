@@ -148,8 +148,7 @@ void DeviceLine::follow()
     if (!device || !isVisible())
         return;
     m_glyph->setState(glyphOf(*device));
-    const int axis = m_selection.axis();
-    showWhole(*m_title, axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
+    showWhole(*m_title, motorTitle(*device, m_selection.axis()));
     m_name->setText(aboutOf(*device));
     m_name->setVisible(!m_name->text().isEmpty());
     const auto known

@@ -88,9 +88,11 @@ void DeviceModel::follow()
 {
     const Snapshot &shot = m_workbench.snapshot();
     m_waiting = 0;
+    m_changing = true;
     followLinks(shot);
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row)
         followDevices(row, shot);
+    m_changing = false;
     tellChanged({});
 }
 
@@ -135,27 +137,33 @@ void DeviceModel::followDevices(int row, const Snapshot &shot)
     }
     const auto isIn
         = [](const std::vector<DeviceRow> &rows, DeviceId id) { return std::ranges::find(rows, id, &DeviceRow::id); };
-    const auto remove = [&](int at) {
-        beginRemoveRows(parent, at, at);
-        link.devices.erase(link.devices.begin() + at);
-        endRemoveRows();
-    };
     for (int i = static_cast<int>(link.devices.size()) - 1; i >= 0; --i) {
-        if (isIn(wanted, link.devices[static_cast<std::size_t>(i)].id) == wanted.end())
-            remove(i);
+        if (isIn(wanted, link.devices[static_cast<std::size_t>(i)].id) != wanted.end())
+            continue;
+        beginRemoveRows(parent, i, i);
+        link.devices.erase(link.devices.begin() + i);
+        endRemoveRows();
     }
     if (m_held) {
         m_waiting += static_cast<int>(wanted.size() - link.devices.size());
         return;
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (i < link.devices.size() && link.devices[i].id == wanted[i].id)
+    for (int i = 0; i < static_cast<int>(wanted.size()); ++i) {
+        const DeviceRow &next = wanted[static_cast<std::size_t>(i)];
+        const auto place = link.devices.begin() + i;
+        const auto old = std::ranges::find(link.devices, next.id, &DeviceRow::id);
+        if (old == place && old != link.devices.end())
             continue;
-        if (const auto old = isIn(link.devices, wanted[i].id); old != link.devices.end())
-            remove(static_cast<int>(old - link.devices.begin()));
-        beginInsertRows(parent, static_cast<int>(i), static_cast<int>(i));
-        link.devices.insert(link.devices.begin() + static_cast<std::ptrdiff_t>(i), wanted[i]);
-        endInsertRows();
+        if (old == link.devices.end()) {
+            beginInsertRows(parent, i, i);
+            link.devices.insert(place, next);
+            endInsertRows();
+        } else {
+            const int from = static_cast<int>(old - link.devices.begin());
+            beginMoveRows(parent, from, from, parent, i);
+            std::rotate(place, old, old + 1);
+            endMoveRows();
+        }
     }
 }
 
@@ -196,6 +204,12 @@ QModelIndex DeviceModel::indexOf(DeviceId device, int axis) const
         return createIndex(static_cast<int>(found - link.devices.begin()), 0, pack({Kind::Device, 0, link.mark}));
     }
     return {};
+}
+
+const LinkView *DeviceModel::linkAt(const QModelIndex &index) const
+{
+    const bool isLink = index.isValid() && kindOf(index) == Kind::Link;
+    return isLink ? m_workbench.snapshot().link(linkOf(index)->address) : nullptr;
 }
 
 DeviceId DeviceModel::deviceAt(const QModelIndex &index) const
@@ -315,7 +329,7 @@ QVariant DeviceModel::data(const QModelIndex &index, int role) const
         return static_cast<int>(kindOf(index));
     const Snapshot &shot = m_workbench.snapshot();
     if (kindOf(index) == Kind::Link) {
-        const LinkView *link = shot.link(linkOf(index)->address);
+        const LinkView *link = linkAt(index);
         return link ? linkData(*link, role) : QVariant();
     }
     const DeviceView *device = shot.device(deviceAt(index));

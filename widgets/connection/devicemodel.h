@@ -34,6 +34,10 @@ public:
     [[nodiscard]] int axisAt(const QModelIndex &index) const;
     /// What a row puts into a plot: a channel itself, of an axis or a device what one looks at first.
     [[nodiscard]] std::vector<Signal> signalsAt(const QModelIndex &index) const;
+    /// The link of a link row; nullptr: it is another row, or the link is gone.
+    [[nodiscard]] const LinkView *linkAt(const QModelIndex &index) const;
+    /// Rows come, go or move: what is current in a view then was chosen by nobody.
+    [[nodiscard]] bool isChanging() const { return m_changing; }
     [[nodiscard]] static Kind kindOf(const QModelIndex &index);
     /// Only devices whose title, name, serial or badge contains the text.
     void setFilter(const QString &text);
@@ -79,6 +83,7 @@ private:
     QString m_filter;
     std::vector<LinkRow> m_rows;
     bool m_held = false;
+    bool m_changing = false;
     int m_waiting = 0;
     quint32 m_lastMark = 0;
 };

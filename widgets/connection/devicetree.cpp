@@ -101,7 +101,10 @@ void DeviceTree::buildHead(QVBoxLayout &column)
         else
             m_filter->clear();
     });
-    connect(m_filter, &QLineEdit::textChanged, this, [this](const QString &text) { m_model->setFilter(text); });
+    connect(m_filter, &QLineEdit::textChanged, this, [this](const QString &text) {
+        m_model->setFilter(text);
+        follow();
+    });
 }
 
 void DeviceTree::buildTree(QVBoxLayout &column)
@@ -125,10 +128,7 @@ void DeviceTree::buildTree(QVBoxLayout &column)
     m_view->setDragDropMode(QAbstractItemView::DragOnly);
     m_view->viewport()->installEventFilter(this);
     column.addWidget(m_view, 1);
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
-        if (const DeviceId id = m_model->deviceAt(current); id.value != 0)
-            m_selection.select(id, m_model->axisAt(current));
-    });
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &DeviceTree::choose);
     connect(m_view, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
         if (DeviceModel::kindOf(index) == DeviceModel::Kind::Channel)
             Q_EMIT plotRequested(m_model->signalsAt(index));
@@ -175,6 +175,14 @@ bool DeviceTree::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
+/// Where the current row goes Qt makes its neighbour the current one. That chooses nothing: somebody works with what is selected.
+void DeviceTree::choose(const QModelIndex &current)
+{
+    m_moved = m_moved || m_model->isChanging();
+    if (const DeviceId id = m_model->deviceAt(current); id.value != 0 && !m_model->isChanging())
+        m_selection.select(id, m_model->axisAt(current));
+}
+
 void DeviceTree::follow()
 {
     const int waiting = m_model->waiting();
@@ -185,7 +193,7 @@ void DeviceTree::follow()
     m_empty->setVisible(none);
     m_view->setVisible(!none);
     m_first.follow(m_workbench.snapshot());
-    if (!m_view->currentIndex().isValid())
+    if (std::exchange(m_moved, false) || !m_view->selectionModel()->hasSelection())
         showSelection();
 }
 
@@ -206,9 +214,8 @@ void DeviceTree::showSelection()
 {
     const QModelIndex current = m_view->currentIndex();
     if (m_model->deviceAt(current) == m_selection.device() && m_model->axisAt(current) == m_selection.axis())
-        return; // one of its channels, perhaps
-    if (const QModelIndex index = m_model->indexOf(m_selection.device(), m_selection.axis()); index.isValid())
-        m_view->setCurrentIndex(index);
+        return;                                                                          // one of its channels, perhaps
+    m_view->setCurrentIndex(m_model->indexOf(m_selection.device(), m_selection.axis())); // none, where it has no row
 }
 
 /// On a serial line a usual scan leaves out what would take long.
@@ -238,12 +245,11 @@ void DeviceTree::showMenu(const QPoint &position)
         addDeviceActions(*menu, m_workbench, id, *this);
     } else {
         menu->addAction(tr("Scan again"), this, [this] { m_workbench.send(orders::ScanLinks{}); });
-        if (index.isValid()) {
-            const LinkView &link = m_workbench.snapshot().links[static_cast<std::size_t>(index.row())];
-            const QString address = QString::fromStdString(link.address);
-            if (link.kind == LinkKind::Serial)
-                addSearch(*menu, link);
-            if (m_isKept && !link.replay) {
+        if (const LinkView *link = m_model->linkAt(index)) {
+            const QString address = QString::fromStdString(link->address);
+            if (link->kind == LinkKind::Serial)
+                addSearch(*menu, *link);
+            if (m_isKept && !link->replay) {
                 QAction *keep = menu->addAction(tr("Open it at every start"), this,
                     [this, address](bool on) { Q_EMIT keepLinkRequested(address, on); });
                 keep->setObjectName(QStringLiteral("keepLink"));
@@ -252,7 +258,7 @@ void DeviceTree::showMenu(const QPoint &position)
             }
             QAction *close
                 = menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
-            close->setEnabled(!updateOn(m_workbench.snapshot(), link.address)); // a unit may lose its firmware
+            close->setEnabled(!updateOn(m_workbench.snapshot(), link->address)); // a unit may lose its firmware
         }
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));

@@ -51,6 +51,7 @@ private:
     void buildHead(QVBoxLayout &column);
     void buildTree(QVBoxLayout &column);
     void buildFoot(QVBoxLayout &column);
+    void choose(const QModelIndex &current);
     void follow();
     void showSelection();
     void addSearch(QMenu &menu, const LinkView &link);
@@ -65,6 +66,7 @@ private:
     std::function<bool(const QString &)> m_isKept;
     QTreeView *m_view = nullptr;
     SearchField *m_filter = nullptr;
+    bool m_moved = false; ///< what is current, by rows that came or went
     EmptyState *m_empty = nullptr;
     QPushButton *m_waiting = nullptr; ///< new rows that would move what is under the mouse
     IconButton *m_rescan = nullptr;

@@ -15,14 +15,14 @@ bool canBeTuned(const DeviceView &device)
 void FirstSelection::follow(const Snapshot &shot)
 {
     const DeviceId selected = m_selection.device();
-    const bool byItself = selected.value == 0 || selected == m_chosen;
-    if (shot.devices.empty() || !byItself)
+    const bool mayChoose = selected.value == 0 || selected == m_chosen;
+    if (shot.devices.empty() || !mayChoose)
         return;
     const auto found = std::ranges::find_if(shot.devices, canBeTuned);
     const DeviceId next = found == shot.devices.end() ? shot.devices.front().id : found->id;
     m_chosen = found == shot.devices.end() ? next : DeviceId{};
     if (selected.value == 0 || found != shot.devices.end())
-        m_selection.select(next);
+        m_selection.offer(next);
 }
 
 } // namespace mb

@@ -10,8 +10,8 @@ namespace mb {
 /// read, so that they can be put back.
 [[nodiscard]] bool canBeTuned(const DeviceView &device);
 
-/// Selects a device while the user has not: the first that can be tuned, in the order of the list; until there is one, the
-/// first of all. What a user has selected stays.
+/// Offers a device to the selection: the first that can be tuned, in the order of the list; until there is one, the
+/// first of all. What somebody has selected, or works with, stays (Selection::offer).
 class FirstSelection {
 public:
     explicit FirstSelection(Selection &selection)

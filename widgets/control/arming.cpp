@@ -133,6 +133,7 @@ LampStatus Arming::statusOf(const DeviceView *view) const
     const Snapshot &shot = m_workbench.snapshot();
     LampStatus status;
     status.state = m_state;
+    status.candidate = view ? view->id : DeviceId{};
     status.armable = view && whyNotArmed(*this, m_workbench.snapshot(), *view).isEmpty();
     switch (m_state) {
     case LampState::Safe:

@@ -118,7 +118,7 @@ Result<void> EnvelopeBook::enter(const std::string &unit, const Envelope &limits
 Result<void> EnvelopeBook::carry(const std::string &from, const std::string &to)
 {
     const auto found = m_units.find(from);
-    if (found == m_units.end() || m_units.count(to) > 0)
+    if (to.empty() || found == m_units.end() || m_units.count(to) > 0)
         return {};
     const Unit unit = found->second;
     m_units.emplace(to, unit);

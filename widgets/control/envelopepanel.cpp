@@ -103,7 +103,7 @@ void EnvelopePanel::setUnits(const DisplayUnits &units)
 
 void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
 {
-    if (unit == m_unit)
+    if (unit == m_unit && (sameDevice || !unit.empty()))
         return look(); // the other page may have changed it
     if (sameDevice && !m_unit.empty())
         told(m_book->carry(m_unit, unit));
@@ -117,8 +117,8 @@ void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
 /// `all`: of another device, so that what is being typed is not of this one.
 void EnvelopePanel::look(bool all)
 {
-    if (m_unit.empty())
-        return;
+    if (m_unit.empty() && !all)
+        return; // what is entered before it is known who it is waits for that
     const Envelope now = m_book->entered(m_unit);
     const bool other = std::exchange(m_entered, now) != now;
     if (other || all)

@@ -29,7 +29,8 @@ public:
     void share(EnvelopeBook &book) { m_book = &book; }
     [[nodiscard]] EnvelopeBook &book() { return *m_book; }
     /// Shows what was entered for this unit (Trial::unit), also by another run of the program; changed() where that is something
-    /// else. Limits go along when a unit turns out to have a serial number. Empty: not known who it is.
+    /// else. Limits go along when a unit turns out to have a serial number. Empty: not known who it is; what is entered meanwhile
+    /// belongs to the same device only.
     void choose(const std::string &unit, bool sameDevice);
     [[nodiscard]] const Envelope &entered() const { return m_entered; }
     /// What stands in a field and is no limit, for people; entered() is as before it was typed. Empty: nothing.

@@ -19,14 +19,9 @@ const DeviceView *TuneChoices::device() const
     return m_workbench.snapshot().device(m_selection.device());
 }
 
-int TuneChoices::axisOf(const DeviceView &view)
+int TuneChoices::axisOf(const DeviceView &view) const
 {
-    if (!hasAxes(*view.family))
-        return 0;
-    int &last = m_lastAxis.try_emplace(view.id, 1).first->second;
-    if (m_selection.axis() > 0)
-        last = std::min(m_selection.axis(), view.family->capabilities.axes);
-    return last;
+    return hasAxes(*view.family) ? std::min(m_selection.motor(), view.family->capabilities.axes) : 0;
 }
 
 TuneChoice *TuneChoices::find(const TuneMotor &motor)

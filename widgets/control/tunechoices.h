@@ -41,8 +41,8 @@ public:
 
     /// The device that is selected; nullptr: none, or it is gone.
     [[nodiscard]] const DeviceView *device() const;
-    /// Its axis that is selected; where the device as a whole is, the one that was shown last. 0: it has one motor only.
-    [[nodiscard]] int axisOf(const DeviceView &view);
+    /// Its axis that is meant (Selection::motor()). 0: it has one motor only.
+    [[nodiscard]] int axisOf(const DeviceView &view) const;
 
     void show(const TuneMotor &motor) { m_shown = motor; }
     [[nodiscard]] const TuneMotor &shown() const { return m_shown; }
@@ -74,7 +74,6 @@ private:
     const Selection &m_selection;
     bool m_revolutions = false;
     std::map<TuneMotor, TuneChoice> m_choices;
-    std::map<DeviceId, int> m_lastAxis;
     TuneMotor m_shown;
     std::uint64_t m_editRevision = 0;
 };

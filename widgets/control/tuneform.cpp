@@ -55,6 +55,8 @@ void TuneForm::show(const DeviceView &view, int axis)
     m_choices.show({view.id, axis});
     m_parts.column->setAxis(axis);
     TuneChoice &chosen = m_choices.of(view, axis);
+    if (chosen.unit.empty())
+        chosen.unit = view.unit;
     ModePanel &modes = m_parts.column->modePanel();
     modes.setFamily(*view.family);
     modes.show(chosen.mode, chosen.editedSlot, chosen.runningSlot);

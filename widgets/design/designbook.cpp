@@ -3,13 +3,11 @@
 
 #include "widgets/common/devicetext.h"
 
-#include <algorithm>
-
 namespace mb {
 
 DesignPlace DesignBook::place() const
 {
-    return {m_selection.device(), std::max(m_selection.axis(), 1), m_loop};
+    return {m_selection.device(), m_selection.motor(), m_loop};
 }
 
 DesignChoice DesignBook::choice() const

@@ -2,6 +2,7 @@
 #include "widgets/design/designpage.h"
 
 #include "experiment/envelope.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/layoutin.h"
@@ -110,7 +111,7 @@ PageStatus DesignPage::status() const
     const DeviceView *const view = m_book.device();
     if (!view)
         return {};
-    const QString name = titleOf(*view);
+    const QString name = motorTitle(*view, m_book.place().axis);
     if (m_arming.isOnTrial(view->id))
         return {GlyphState::Moving, tr("Tuning"), tr("STOP ends it; what was changed is put back."), false};
     if (m_arming.isMoving())
@@ -120,7 +121,7 @@ PageStatus DesignPage::status() const
     if (const QString fault = m_envelope->fault(); !fault.isEmpty())
         return {GlyphState::OutOfRange, tr("No limit"), fault, false};
     if (m_arming.isArmed(view->id))
-        return {GlyphState::Online, tr("Armed"), tr("The motor will turn both ways."), true};
+        return {GlyphState::Online, tr("Armed"), tr("%1 will turn both ways.").arg(name), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 

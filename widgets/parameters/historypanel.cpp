@@ -19,6 +19,7 @@
 #include <QPainter>
 #include <QPointer>
 
+#include <algorithm>
 #include <utility>
 
 namespace mb {
@@ -156,16 +157,24 @@ QWidget *HistoryPanel::buildFoot()
     return foot;
 }
 
+HistoryPanel::Ready HistoryPanel::readyOf(const DeviceView &device) const
+{
+    if (!device.liveness.heard || !device.busy.empty())
+        return Ready::No;
+    const auto waits = [&device](const UnconfirmedView &view) { return view.device == device.id; };
+    return std::ranges::any_of(m_workbench.snapshot().unconfirmed, waits) ? Ready::Decide : Ready::Yes;
+}
+
 void HistoryPanel::showDevice(const DeviceView &device)
 {
     const std::string &unit = device.unit;
     if (unit.empty())
         return;
-    const bool online = device.liveness.heard && device.busy.empty();
-    if (unit == m_unit && device.parameterRevision == m_revision && online == m_online)
+    const Ready ready = readyOf(device);
+    if (unit == m_unit && device.parameterRevision == m_revision && ready == m_ready)
         return;
     const bool isOther = unit != m_unit || m_states.family() != device.family;
-    m_online = online;
+    m_ready = ready;
     m_unit = unit;
     m_revision = device.parameterRevision;
     m_entries = device.parameters;
@@ -257,7 +266,7 @@ bool HistoryPanel::isLive() const
 
 bool HistoryPanel::mayWrite() const
 {
-    return m_online && isLive() && !ticked().empty();
+    return m_ready == Ready::Yes && isLive() && !ticked().empty();
 }
 
 std::vector<ParameterChange> HistoryPanel::ticked() const
@@ -276,7 +285,7 @@ void HistoryPanel::count()
     const auto chosen = m_states.family() ? ticked().size() : 0;
     m_ticked->setText(isLive() ? tr("%1 ticked; a snapshot of what is there is taken first.").arg(chosen)
                                : tr("Choose what the device has now as A to write values of B."));
-    m_restore->setText(tr("Restore %1").arg(chosen));
+    m_restore->setText(m_ready == Ready::Decide ? tr("Keep or put back first") : tr("Restore %1").arg(chosen));
     m_restore->setEnabled(mayWrite());
 }
 

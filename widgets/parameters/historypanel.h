@@ -50,9 +50,13 @@ private:
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;
+    /// Whether it can be written to now; Decide: somebody has to keep or revert what was written before.
+    enum class Ready { No, Decide, Yes };
+    [[nodiscard]] Ready readyOf(const DeviceView &device) const;
+
     std::string m_unit;
     std::uint64_t m_revision = 0;
-    bool m_online = false;
+    Ready m_ready = Ready::No;
     std::vector<ParameterStore::Entry> m_entries;
     UnitStates m_states;
     std::int64_t m_chosenA = UnitStates::present; ///< numbers of states
