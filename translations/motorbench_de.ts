@@ -58,6 +58,10 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -2928,6 +2932,10 @@
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>
         <translation>%1 von %2. Trennen erlaubt: die Aktualisierung lässt sich wiederholen.</translation>
     </message>
+    <message>
+        <source>Keep what it has</source>
+        <translation>Behalten, was es hat</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>
@@ -3129,10 +3137,6 @@
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>The motor will turn both ways.</source>
-        <translation>Der Motor wird vor und zurück drehen.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Nicht scharf</translation>
     </message>
@@ -3171,6 +3175,10 @@
     <message>
         <source>No limit</source>
         <translation>Keine Grenze</translation>
+    </message>
+    <message>
+        <source>%1 will turn both ways.</source>
+        <translation>%1 wird vor und zurück drehen.</translation>
     </message>
 </context>
 <context>
@@ -3288,10 +3296,6 @@
     <message>
         <source>counts</source>
         <translation>counts</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
 </context>
 <context>
@@ -4212,6 +4216,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>it is gone</source>
         <translation>es ist weg</translation>
     </message>
+    <message>
+        <source>not prepared: an experiment on the selected device has not ended</source>
+        <translation>nicht vorbereitet: ein Versuch mit dem gewählten Gerät ist noch nicht zu Ende</translation>
+    </message>
 </context>
 <context>
     <name>mb::GuardianCheck</name>
@@ -4449,6 +4457,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Copy as text</source>
         <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Keep or put back first</source>
+        <translation>Erst behalten oder zurück</translation>
     </message>
 </context>
 <context>
@@ -15572,10 +15584,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>seine Fehlerstufe ist 1, jedes Lesen schlägt fehl: error.level auf 0 setzen</translation>
     </message>
     <message>
-        <source>its motor moves</source>
-        <translation>sein Motor bewegt sich</translation>
-    </message>
-    <message>
         <source>its position is not known yet</source>
         <translation>die Position ist noch nicht bekannt</translation>
     </message>
@@ -18810,6 +18818,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
         <translation>die Akzeptanzmaske von Knoten %1 ist nicht bekannt, er führt also vielleicht auch aus, was an Knoten %2 geht; sein error.level auf 0 setzen, falls es 1 ist, dann neu suchen</translation>
+    </message>
+    <message>
+        <source>All of it is written; whether the unit runs it is not known then</source>
+        <translation>Alles ist geschrieben; ob das Gerät damit läuft, ist dann nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 settings are lost with its power</source>
+        <translation>%1 Einstellungen gehen mit seiner Stromversorgung verloren</translation>
+    </message>
+    <message>
+        <source>%1 settings hold from its next power cycle on, and nothing proves them before</source>
+        <translation>%1 Einstellungen gelten ab dem nächsten Aus- und Einschalten, und nichts beweist sie vorher</translation>
+    </message>
+    <message>
+        <source>1 setting holds from its next power cycle on, and nothing proves it before</source>
+        <translation>1 Einstellung gilt ab dem nächsten Aus- und Einschalten, und nichts beweist sie vorher</translation>
+    </message>
+    <message>
+        <source>1 setting is lost with its power</source>
+        <translation>1 Einstellung geht mit seiner Stromversorgung verloren</translation>
+    </message>
+    <message>
+        <source>a %1 keeps no setting without power</source>
+        <translation>%1 behält ohne Strom keine Einstellung</translation>
+    </message>
+    <message>
+        <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
+        <translation>ein Gerät, dessen %1 verkleinert wurde, muss einmal stromlos gewesen sein, bevor sein Motor angesteuert werden darf</translation>
+    </message>
+    <message>
+        <source>leave &apos;store&apos; out: its settings are lost with its power</source>
+        <translation>&apos;store&apos; weglassen: seine Einstellungen gehen mit seiner Stromversorgung verloren</translation>
+    </message>
+    <message>
+        <source>leave it out of the file, or the self-test out of the recipe</source>
+        <translation>aus der Datei weglassen, oder den Selbsttest aus dem Rezept nehmen</translation>
+    </message>
+    <message>
+        <source>no link is open on which such units may be</source>
+        <translation>keine Verbindung ist offen, an der solche Geräte sein können</translation>
+    </message>
+    <message>
+        <source>no unit has failed that is still there</source>
+        <translation>kein Gerät ist gescheitert, das noch da ist</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>sie zuerst öffnen</translation>
+    </message>
+    <message>
+        <source>the search ends here, because firmware is written or units are served; what it found stays</source>
+        <translation>die Suche endet hier, weil Firmware geschrieben wird oder Geräte bedient werden; was sie gefunden hat, bleibt</translation>
     </message>
 </context>
 </TS>

@@ -58,6 +58,10 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -2928,6 +2932,10 @@
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>
         <translation>%1 de %2. Se puede desconectar: la actualización puede repetirse.</translation>
     </message>
+    <message>
+        <source>Keep what it has</source>
+        <translation>Conservar lo que tiene</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>
@@ -3137,10 +3145,6 @@
         <translation>Armado</translation>
     </message>
     <message>
-        <source>The motor will turn both ways.</source>
-        <translation>El motor girará en ambos sentidos.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>No armado</translation>
     </message>
@@ -3171,6 +3175,10 @@
     <message>
         <source>No limit</source>
         <translation>Sin límite</translation>
+    </message>
+    <message>
+        <source>%1 will turn both ways.</source>
+        <translation>%1 girará en ambos sentidos.</translation>
     </message>
 </context>
 <context>
@@ -3284,10 +3292,6 @@
     <message>
         <source>case</source>
         <translation>carcasa</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>SN %1 · fw %2</source>
@@ -4212,6 +4216,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>it is gone</source>
         <translation>ya no está</translation>
     </message>
+    <message>
+        <source>not prepared: an experiment on the selected device has not ended</source>
+        <translation>no preparado: un ensayo con el dispositivo seleccionado aún no ha terminado</translation>
+    </message>
 </context>
 <context>
     <name>mb::GuardianCheck</name>
@@ -4449,6 +4457,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Copy as text</source>
         <translation>Copiar como texto</translation>
+    </message>
+    <message>
+        <source>Keep or put back first</source>
+        <translation>Antes, conservar o restituir</translation>
     </message>
 </context>
 <context>
@@ -15296,10 +15308,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>su motor ya gira o ya se acciona</translation>
     </message>
     <message>
-        <source>its motor moves</source>
-        <translation>su motor se mueve</translation>
-    </message>
-    <message>
         <source>its position is not known yet</source>
         <translation>aún no se conoce su posición</translation>
     </message>
@@ -18810,6 +18818,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
         <translation>no se conoce la máscara de aceptación del nodo %1, así que quizá ejecute también lo que se envía al nodo %2; ponga su error.level a 0 si es 1 y busque de nuevo</translation>
+    </message>
+    <message>
+        <source>All of it is written; whether the unit runs it is not known then</source>
+        <translation>Todo está escrito; no se sabe entonces si el equipo funciona con ello</translation>
+    </message>
+    <message>
+        <source>%1 settings are lost with its power</source>
+        <translation>%1 ajustes se pierden al quitarle la alimentación</translation>
+    </message>
+    <message>
+        <source>%1 settings hold from its next power cycle on, and nothing proves them before</source>
+        <translation>%1 ajustes rigen desde el próximo ciclo de alimentación, y nada los demuestra antes</translation>
+    </message>
+    <message>
+        <source>1 setting holds from its next power cycle on, and nothing proves it before</source>
+        <translation>1 ajuste rige desde el próximo ciclo de alimentación, y nada lo demuestra antes</translation>
+    </message>
+    <message>
+        <source>1 setting is lost with its power</source>
+        <translation>1 ajuste se pierde al quitarle la alimentación</translation>
+    </message>
+    <message>
+        <source>a %1 keeps no setting without power</source>
+        <translation>%1 no conserva ningún ajuste sin alimentación</translation>
+    </message>
+    <message>
+        <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
+        <translation>una unidad cuyo %1 se redujo debe perder una vez la alimentación antes de que se pueda accionar su motor</translation>
+    </message>
+    <message>
+        <source>leave &apos;store&apos; out: its settings are lost with its power</source>
+        <translation>omita &apos;store&apos;: sus ajustes se pierden al quitarle la alimentación</translation>
+    </message>
+    <message>
+        <source>leave it out of the file, or the self-test out of the recipe</source>
+        <translation>omítalo en el archivo o quite la autoprueba de la receta</translation>
+    </message>
+    <message>
+        <source>no link is open on which such units may be</source>
+        <translation>no hay abierta ninguna conexión en la que pueda haber tales unidades</translation>
+    </message>
+    <message>
+        <source>no unit has failed that is still there</source>
+        <translation>no ha fallado ninguna unidad que siga ahí</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>ábrala primero</translation>
+    </message>
+    <message>
+        <source>the search ends here, because firmware is written or units are served; what it found stays</source>
+        <translation>la búsqueda termina aquí, porque se escribe firmware o se atienden unidades; lo encontrado se queda</translation>
     </message>
 </context>
 </TS>

@@ -58,6 +58,10 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -2928,6 +2932,10 @@
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>
         <translation>%1 sur %2. Débranchement autorisé : la mise à jour peut être relancée.</translation>
     </message>
+    <message>
+        <source>Keep what it has</source>
+        <translation>Garder ce qu’il a</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>
@@ -3137,10 +3145,6 @@
         <translation>Armé</translation>
     </message>
     <message>
-        <source>The motor will turn both ways.</source>
-        <translation>Le moteur tournera dans les deux sens.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Non armé</translation>
     </message>
@@ -3171,6 +3175,10 @@
     <message>
         <source>No limit</source>
         <translation>Aucune limite</translation>
+    </message>
+    <message>
+        <source>%1 will turn both ways.</source>
+        <translation>%1 tournera dans les deux sens.</translation>
     </message>
 </context>
 <context>
@@ -3284,10 +3292,6 @@
     <message>
         <source>case</source>
         <translation>boîtier</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>SN %1 · fw %2</source>
@@ -4212,6 +4216,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>it is gone</source>
         <translation>il a disparu</translation>
     </message>
+    <message>
+        <source>not prepared: an experiment on the selected device has not ended</source>
+        <translation>non préparé : un essai avec l’appareil sélectionné n’est pas encore terminé</translation>
+    </message>
 </context>
 <context>
     <name>mb::GuardianCheck</name>
@@ -4449,6 +4457,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Copy as text</source>
         <translation>Copier en texte</translation>
+    </message>
+    <message>
+        <source>Keep or put back first</source>
+        <translation>D’abord conserver ou rétablir</translation>
     </message>
 </context>
 <context>
@@ -15296,10 +15308,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>son moteur tourne ou est déjà piloté</translation>
     </message>
     <message>
-        <source>its motor moves</source>
-        <translation>son moteur est en mouvement</translation>
-    </message>
-    <message>
         <source>its position is not known yet</source>
         <translation>sa position n’est pas encore connue</translation>
     </message>
@@ -18805,11 +18813,63 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>averaging changed: it may overwrite its memory</source>
-        <translation>moyennage modifié : il peut écraser sa mémoire</translation>
+        <translation>moyennage modifié&#xa0;: il peut écraser sa mémoire</translation>
     </message>
     <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
-        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2 ; mettez son error.level à 0 s’il est à 1, puis relancez la recherche</translation>
+        <translation>le masque d’acceptation du nœud %1 n’est pas connu, il exécute donc peut-être aussi ce qui est envoyé au nœud %2&#x202f;; mettez son error.level à 0 s’il est à 1, puis relancez la recherche</translation>
+    </message>
+    <message>
+        <source>All of it is written; whether the unit runs it is not known then</source>
+        <translation>Tout est écrit&#x202f;; on ne sait alors pas si l’appareil fonctionne avec</translation>
+    </message>
+    <message>
+        <source>%1 settings are lost with its power</source>
+        <translation>%1 réglages sont perdus à la mise hors tension</translation>
+    </message>
+    <message>
+        <source>%1 settings hold from its next power cycle on, and nothing proves them before</source>
+        <translation>%1 réglages valent dès la prochaine remise sous tension, et rien ne les prouve avant</translation>
+    </message>
+    <message>
+        <source>1 setting holds from its next power cycle on, and nothing proves it before</source>
+        <translation>1 réglage vaut dès la prochaine remise sous tension, et rien ne le prouve avant</translation>
+    </message>
+    <message>
+        <source>1 setting is lost with its power</source>
+        <translation>1 réglage est perdu à la mise hors tension</translation>
+    </message>
+    <message>
+        <source>a %1 keeps no setting without power</source>
+        <translation>%1 ne garde aucun réglage hors tension</translation>
+    </message>
+    <message>
+        <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
+        <translation>une unité dont %1 a été diminué doit être mise une fois hors tension avant que son moteur puisse être piloté</translation>
+    </message>
+    <message>
+        <source>leave &apos;store&apos; out: its settings are lost with its power</source>
+        <translation>omettez &apos;store&apos; : ses réglages sont perdus à la mise hors tension</translation>
+    </message>
+    <message>
+        <source>leave it out of the file, or the self-test out of the recipe</source>
+        <translation>omettez-le dans le fichier, ou retirez l’autotest de la recette</translation>
+    </message>
+    <message>
+        <source>no link is open on which such units may be</source>
+        <translation>aucune liaison n&apos;est ouverte sur laquelle de telles unités peuvent être</translation>
+    </message>
+    <message>
+        <source>no unit has failed that is still there</source>
+        <translation>aucune unité encore présente n&apos;a échoué</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>ouvrez-la d&apos;abord</translation>
+    </message>
+    <message>
+        <source>the search ends here, because firmware is written or units are served; what it found stays</source>
+        <translation>la recherche s’arrête ici, car un firmware est écrit ou des unités sont servies ; ce qu’elle a trouvé reste</translation>
     </message>
 </context>
 </TS>

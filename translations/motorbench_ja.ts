@@ -58,6 +58,10 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -2926,6 +2930,10 @@
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>
         <translation>%1/%2。取り外し可：更新はやり直せます。</translation>
     </message>
+    <message>
+        <source>Keep what it has</source>
+        <translation>現在の値を維持</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>
@@ -3135,10 +3143,6 @@
         <translation>駆動許可中</translation>
     </message>
     <message>
-        <source>The motor will turn both ways.</source>
-        <translation>モーターは両方向に回転します。</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>駆動未許可</translation>
     </message>
@@ -3169,6 +3173,10 @@
     <message>
         <source>No limit</source>
         <translation>制限ではありません</translation>
+    </message>
+    <message>
+        <source>%1 will turn both ways.</source>
+        <translation>%1 は両方向に回転します。</translation>
     </message>
 </context>
 <context>
@@ -3282,10 +3290,6 @@
     <message>
         <source>case</source>
         <translation>ケース</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>SN %1 · fw %2</source>
@@ -4209,6 +4213,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>it is gone</source>
         <translation>なくなりました</translation>
     </message>
+    <message>
+        <source>not prepared: an experiment on the selected device has not ended</source>
+        <translation>準備できません: 選択中の機器での実験がまだ終わっていません</translation>
+    </message>
 </context>
 <context>
     <name>mb::GuardianCheck</name>
@@ -4444,6 +4452,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Copy as text</source>
         <translation>テキストとしてコピー</translation>
+    </message>
+    <message>
+        <source>Keep or put back first</source>
+        <translation>先に維持か復元を選択</translation>
     </message>
 </context>
 <context>
@@ -15279,10 +15291,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>モーターがすでに回転中または駆動中です</translation>
     </message>
     <message>
-        <source>its motor moves</source>
-        <translation>モーターが動作中です</translation>
-    </message>
-    <message>
         <source>its position is not known yet</source>
         <translation>位置がまだ不明です</translation>
     </message>
@@ -18793,6 +18801,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
         <translation>ノード %1 のアクセプタンスマスクが分からないため、ノード %2 への指令も実行する可能性があります。その error.level が 1 なら 0 にしてから再スキャンしてください</translation>
+    </message>
+    <message>
+        <source>All of it is written; whether the unit runs it is not known then</source>
+        <translation>すべて書き込み済みです。機器がそれで動作するかは確認されません</translation>
+    </message>
+    <message>
+        <source>%1 settings are lost with its power</source>
+        <translation>%1 件の設定は電源が切れると失われます</translation>
+    </message>
+    <message>
+        <source>%1 settings hold from its next power cycle on, and nothing proves them before</source>
+        <translation>%1 件の設定は次に電源を入れ直してから有効になり、それまでは何によっても確かめられません</translation>
+    </message>
+    <message>
+        <source>1 setting holds from its next power cycle on, and nothing proves it before</source>
+        <translation>1 件の設定は次に電源を入れ直してから有効になり、それまでは何によっても確かめられません</translation>
+    </message>
+    <message>
+        <source>1 setting is lost with its power</source>
+        <translation>1 件の設定は電源が切れると失われます</translation>
+    </message>
+    <message>
+        <source>a %1 keeps no setting without power</source>
+        <translation>%1 は電源が切れると設定を保持しません</translation>
+    </message>
+    <message>
+        <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
+        <translation>%1 を小さくしたユニットは、モーターを駆動する前に電源を一度切る必要があります</translation>
+    </message>
+    <message>
+        <source>leave &apos;store&apos; out: its settings are lost with its power</source>
+        <translation>&apos;store&apos; を省いてください。設定は電源が切れると失われます</translation>
+    </message>
+    <message>
+        <source>leave it out of the file, or the self-test out of the recipe</source>
+        <translation>ファイルからそれを外すか、レシピからセルフテストを外してください</translation>
+    </message>
+    <message>
+        <source>no link is open on which such units may be</source>
+        <translation>このような機器がありうるリンクが開いていません</translation>
+    </message>
+    <message>
+        <source>no unit has failed that is still there</source>
+        <translation>まだ接続されている不合格の機器はありません</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>先に開いてください</translation>
+    </message>
+    <message>
+        <source>the search ends here, because firmware is written or units are served; what it found stays</source>
+        <translation>ファームウェアの書き込みまたはユニットの処理が始まるため、検索をここで終了します。見つかったものは残ります</translation>
     </message>
 </context>
 </TS>

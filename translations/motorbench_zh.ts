@@ -58,6 +58,10 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -2926,6 +2930,10 @@
         <source>%1 of %2. Safe to unplug: the update can be run again.</source>
         <translation>%1 / %2。可以拔出：更新可以重新进行。</translation>
     </message>
+    <message>
+        <source>Keep what it has</source>
+        <translation>保留现有值</translation>
+    </message>
 </context>
 <context>
     <name>mb::CountTiles</name>
@@ -3135,10 +3143,6 @@
         <translation>已解锁</translation>
     </message>
     <message>
-        <source>The motor will turn both ways.</source>
-        <translation>电机将双向转动。</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>未解锁</translation>
     </message>
@@ -3169,6 +3173,10 @@
     <message>
         <source>No limit</source>
         <translation>不是限值</translation>
+    </message>
+    <message>
+        <source>%1 will turn both ways.</source>
+        <translation>%1 将双向转动。</translation>
     </message>
 </context>
 <context>
@@ -3282,10 +3290,6 @@
     <message>
         <source>case</source>
         <translation>外壳</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
     </message>
     <message>
         <source>SN %1 · fw %2</source>
@@ -4209,6 +4213,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>it is gone</source>
         <translation>它已不存在</translation>
     </message>
+    <message>
+        <source>not prepared: an experiment on the selected device has not ended</source>
+        <translation>未准备：所选设备上的实验尚未结束</translation>
+    </message>
 </context>
 <context>
     <name>mb::GuardianCheck</name>
@@ -4444,6 +4452,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Copy as text</source>
         <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Keep or put back first</source>
+        <translation>请先保留或恢复</translation>
     </message>
 </context>
 <context>
@@ -15279,10 +15291,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>其电机正在转动或已被驱动</translation>
     </message>
     <message>
-        <source>its motor moves</source>
-        <translation>其电机在运动</translation>
-    </message>
-    <message>
         <source>its position is not known yet</source>
         <translation>其位置尚未知</translation>
     </message>
@@ -18793,6 +18801,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the acceptance mask of node %1 is not known, so it may do what is sent to node %2, too; set its error.level to 0 where it is 1, then scan again</source>
         <translation>节点 %1 的接收掩码未知，发送给节点 %2 的内容它可能也会执行；若其 error.level 为 1，请设为 0 后重新扫描</translation>
+    </message>
+    <message>
+        <source>All of it is written; whether the unit runs it is not known then</source>
+        <translation>已全部写入；设备能否用它运行则未知</translation>
+    </message>
+    <message>
+        <source>%1 settings are lost with its power</source>
+        <translation>%1 项设置断电后丢失</translation>
+    </message>
+    <message>
+        <source>%1 settings hold from its next power cycle on, and nothing proves them before</source>
+        <translation>%1 项设置从下次断电重启后生效，此前无法证明</translation>
+    </message>
+    <message>
+        <source>1 setting holds from its next power cycle on, and nothing proves it before</source>
+        <translation>1 项设置从下次断电重启后生效，此前无法证明</translation>
+    </message>
+    <message>
+        <source>1 setting is lost with its power</source>
+        <translation>1 项设置断电后丢失</translation>
+    </message>
+    <message>
+        <source>a %1 keeps no setting without power</source>
+        <translation>%1 断电后不保留任何设置</translation>
+    </message>
+    <message>
+        <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
+        <translation>%1 被减小的设备必须先断电一次，才允许驱动其电机</translation>
+    </message>
+    <message>
+        <source>leave &apos;store&apos; out: its settings are lost with its power</source>
+        <translation>去掉 &apos;store&apos;：其设置断电后丢失</translation>
+    </message>
+    <message>
+        <source>leave it out of the file, or the self-test out of the recipe</source>
+        <translation>从文件中去掉它，或从配方中去掉自检</translation>
+    </message>
+    <message>
+        <source>no link is open on which such units may be</source>
+        <translation>没有打开可能连接此类设备的链路</translation>
+    </message>
+    <message>
+        <source>no unit has failed that is still there</source>
+        <translation>没有仍在线的失败设备</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>请先打开它</translation>
+    </message>
+    <message>
+        <source>the search ends here, because firmware is written or units are served; what it found stays</source>
+        <translation>因正在写入固件或处理设备，搜索到此结束；已找到的保留</translation>
     </message>
 </context>
 </TS>

@@ -42,7 +42,7 @@ void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finish
 Task<UpdateReport> FirmwareUpdates::update(
     Device &device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options, Progress &progress)
 {
-    m_scans.forget(device.link());
+    m_scans.giveWay(device.link());
     const service::BusyDevice busy(device, say("firmware update"));
     auto standing = standsStill(device); // a click may be late, and what it was given on a picture
     co_await std::move(standing);

@@ -76,7 +76,7 @@ bool LentLinks::lend(Link *link)
 {
     if (!link || link->state() != LinkState::Open || isDriven(*link) || !m_context.operations.lend(*link))
         return false;
-    m_scans.forget(*link);
+    m_scans.giveWay(*link);
     return true;
 }
 

@@ -10,6 +10,11 @@ namespace {
 
 constexpr Duration rescanPeriod = std::chrono::seconds(5);
 
+Message takenHere()
+{
+    return say("firmware is written here, or units are served; nothing was searched");
+}
+
 } // namespace
 
 Scans::Scans(const EngineContext &context, Recordings &recordings)
@@ -42,6 +47,7 @@ void Scans::scan(Link &link, ScanExtent extent)
     if (round.running || link.state() != LinkState::Open || isTaken(link))
         return;
     round.running = true;
+    round.isAsked = extent != ScanExtent::Quick;
     m_last = m_context.clock.now();
     ScanOptions options;
     options.extent = extent;
@@ -110,6 +116,15 @@ void Scans::look()
     }
 }
 
+void Scans::giveWay(const Link &link)
+{
+    const auto round = m_rounds.find(&link);
+    if (round != m_rounds.end() && round->second.running && round->second.isAsked)
+        m_context.log.tell(Severity::Caution, link.address().shortName(),
+            say("the search ends here, because firmware is written or units are served; what it found stays"));
+    forget(link);
+}
+
 void Scans::forget(const Link &link)
 {
     m_rounds.erase(&link);
@@ -128,8 +143,11 @@ void Scans::describe(const Link &link, LinkView &view) const
 
 void Scans::carryOut(const orders::ScanLinks &, const Finished &finished)
 {
-    for (Link *link : m_context.session.links())
+    for (Link *link : m_context.session.links()) {
+        if (isTaken(*link))
+            m_context.log.tell(Severity::Caution, link->address().shortName(), takenHere());
         scan(*link, ScanExtent::Usual);
+    }
     finished({});
 }
 
@@ -139,8 +157,7 @@ void Scans::carryOut(const orders::ScanEverything &order, const Finished &finish
     if (!link)
         return finished(fail(Fault::LinkLost, say("the link is not open")));
     if (isTaken(*link))
-        return finished(fail(Fault::Unsafe, say("firmware is written here, or units are served; nothing was searched"),
-            say("wait until it is done")));
+        return finished(fail(Fault::Unsafe, takenHere(), say("wait until it is done")));
     end(m_rounds[link]);
     scan(*link, ScanExtent::Everything);
     finished({});

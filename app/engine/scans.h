@@ -34,6 +34,7 @@ public:
 private:
     struct Round {
         bool running = false;
+        bool isAsked = false; ///< by somebody, who waits for what it finds
         Message step;
         int done = 0;
         int total = 0;

@@ -27,6 +27,11 @@ const DeviceView *GroupMotion::viewOf(DeviceId device) const
 
 bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
 {
+    if (m_arming.isOnTrial(lead)) {
+        m_workbench.report(
+            Severity::Caution, {}, tr("not prepared: an experiment on the selected device has not ended"));
+        return false;
+    }
     const bool takesPart = std::ranges::any_of(members, [lead](const Member &member) { return member.device == lead; });
     if (!m_arming.isArmed(lead) || !takesPart) {
         m_workbench.report(Severity::Caution, {},
