@@ -29,9 +29,8 @@ std::size_t bytesOf(const mcap::Map &facts)
 /// Another unit may have had the number before.
 std::string freeTitle(const LoadedRecording &loaded, std::string title, const std::string &serial)
 {
-    const auto isTaken = [&] {
-        return std::ranges::find(loaded.table, std::string_view(title), &Channel::key) != loaded.table.end();
-    };
+    const auto isTaken
+        = [&] { return std::ranges::find(loaded.table, std::string_view(title), &Channel::key) != loaded.table.end(); };
     if (!serial.empty() && isTaken())
         title += ' ' + serial;
     if (isTaken())

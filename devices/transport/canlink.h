@@ -91,7 +91,12 @@ protected:
     void setStuckSince(std::optional<Instant> since) { m_health.stuckSince = since; }
 
 private:
-    void opened() final { m_load.begin(m_clock.now()); }
+    void setState(LinkState state) final
+    {
+        if (state == LinkState::Open)
+            m_load.begin(m_clock.now());
+        Link::setState(state);
+    }
     virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     [[nodiscard]] virtual int doBitrate() const = 0;

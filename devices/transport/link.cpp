@@ -67,7 +67,6 @@ Result<void> Link::endOpening()
     }
     m_line = now;
     m_loss = {Fault::LinkLost};
-    opened();
     setState(LinkState::Open);
     return {};
 }

@@ -121,7 +121,7 @@ protected:
 
     /// For backends: the link is gone. The cause reads well after "link lost:".
     void lose(Error loss);
-    void setState(LinkState state);
+    virtual void setState(LinkState state);
     void countLost(std::uint64_t frames) { m_counters.lost += frames; }
     void countError() { ++m_counters.errors; }
     void passed(const Traffic &traffic);
@@ -131,8 +131,6 @@ private:
     /// For backends whose doOpen() may block.
     [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
-    /// It is open now, for the first time or again.
-    virtual void opened() { }
     [[nodiscard]] Result<void> beginOpening();
     [[nodiscard]] Result<void> endOpening();
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }

@@ -92,7 +92,12 @@ protected:
     void reportLineError();
 
 private:
-    void opened() final { m_load.begin(m_clock.now()); }
+    void setState(LinkState state) final
+    {
+        if (state == LinkState::Open)
+            m_load.begin(m_clock.now());
+        Link::setState(state);
+    }
     virtual Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     /// Only while the link is open.

@@ -88,7 +88,12 @@ private:
         std::optional<Result<Bytes>> result;
         std::coroutine_handle<> waiting;
     };
-    void opened() final { m_load.begin(m_clock.now()); }
+    void setState(LinkState state) final
+    {
+        if (state == LinkState::Open)
+            m_load.begin(m_clock.now());
+        Link::setState(state);
+    }
     /// Begins a transfer; only one at a time is under way.
     virtual void doTransfer(const Bytes &mosi) = 0;
     /// Asks for the level of the ready line, which setReady() then tells; for links that are not told of changes.

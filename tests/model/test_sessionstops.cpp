@@ -1,170 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which motors of a session are stopped when its links come and go, and what each line still owes. The lines are pseudo terminals.
-#include "async/virtualclock.h"
-#include "model/sessionstops.h"
-#include "support/fakeguard.h"
-#include "support/mutedevice.h"
-#include "support/pseudoterminal.h"
-#include "transport/seriallink.h"
-
-#include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
+#include "sessionlines.h"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
-
-#include <poll.h>
 
 namespace mb {
 namespace {
 
 using namespace std::chrono_literals;
-using Bytes = std::vector<std::uint8_t>;
-
-constexpr Mode wireModes[] = {Mode::Duty};
-constexpr std::uint8_t driveByte = 0x11;
-constexpr std::uint8_t stopByte = 0x22;
-constexpr std::uint8_t scriptByte = 0x33, releaseByte = 0x44;
-
-std::unique_ptr<Device> openWired(Link &link, Clock &clock, const Identity &identity);
-
-/// A motor without watchdog on a serial line: one byte drives it, another stops it, a third one is its script.
-constexpr Family wiredFamily = [] {
-    Family family{};
-    family.key = "wired";
-    family.title = "Wired motor";
-    family.modes = wireModes;
-    family.open = openWired;
-    return family;
-}();
-
-class WiredMotor final : public test::MuteDevice {
-public:
-    WiredMotor(SerialLink &link, Clock &clock, Identity identity)
-        : MuteDevice(wiredFamily, link, clock, std::move(identity))
-        , m_line(link)
-    {
-    }
-    /// As another master drives it.
-    void turn()
-    {
-        Liveness now = liveness();
-        now.moving = true;
-        setLiveness(now);
-    }
-    bool seen = false;
-
-private:
-    Result<void> doCommand(const SetPoint &) override { return m_line.send(Bytes{driveByte}); }
-    Result<void> doReleaseMoves() override { return m_line.send(Bytes{releaseByte}); }
-    void doStop() override { (void)m_line.send(Bytes{stopByte}, Priority::Urgent); }
-    [[nodiscard]] StopScript stopScript() const override { return {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}; }
-    [[nodiscard]] bool isSeenStopped() const override { return seen; }
-
-    SerialLink &m_line;
-};
-
-std::unique_ptr<Device> openWired(Link &link, Clock &clock, const Identity &identity)
-{
-    return std::make_unique<WiredMotor>(static_cast<SerialLink &>(link), clock, identity);
-}
-
-/// Two lines with names of their own that can go away and come back.
-class SessionLines : public testing::Test {
-protected:
-    SessionLines()
-    {
-        book.setIdentify([](const LinkAddress &address) { // the terminal, whatever it is called
-            std::error_code failed;
-            return std::filesystem::canonical(address.path, failed).string();
-        });
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            plug(i);
-            links[i] = openLine(i);
-        }
-    }
-    [[nodiscard]] std::string pathOf(std::size_t line) const
-    {
-        return folder.path().toStdString() + "/line" + std::to_string(line);
-    }
-    void plug(std::size_t line) const { plug(line, line); }
-    /// An adapter under the name of another one.
-    void plug(std::size_t line, std::size_t name) const
-    {
-        std::filesystem::create_symlink(lines.at(line).path(), pathOf(name));
-    }
-    void unplug(std::size_t line) const { std::filesystem::remove(pathOf(line)); }
-    Link *openLine(std::size_t line)
-    {
-        const auto opened = book.open(LinkAddress{"serial", pathOf(line), {}});
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
-        return opened.value_or(nullptr);
-    }
-    WiredMotor &motorOn(Link &link, int number = 3, DeviceState state = DeviceState::Online)
-    {
-        Identity identity;
-        identity.family = "wired";
-        identity.address = number;
-        identity.state = state;
-        return static_cast<WiredMotor &>(devices.adopt(link, wiredFamily, identity, {}));
-    }
-    /// As a guardian of an earlier program writes it down.
-    [[nodiscard]] OwedStop owedTo(const Device &motor, Duration ago = {}) const
-    {
-        return {motor.link().line(), motor.selector(), {{{{}, {scriptByte}, {}, {}, 5ms, 1}}}, clock.now() - ago};
-    }
-    void run(Device &motor)
-    {
-        SetPoint setPoint;
-        setPoint.mode = Mode::Duty;
-        ASSERT_TRUE(devices.stream(motor).start(setPoint, 1h));
-        clock.advance(10ms);
-    }
-    /// As Session::closeLink().
-    void close(Link &link)
-    {
-        stops.beforeClose(link);
-        devices.forget(link);
-        stops.leave(link.line());
-        book.close(link);
-    }
-    /// The adapter of a line comes out.
-    void lose(std::size_t line)
-    {
-        unplug(line);
-        links.at(line)->close();
-        links.at(line)->closedFor(say("it came out"));
-    }
-    [[nodiscard]] Subscription tap(std::size_t line, Bytes &to) const
-    {
-        return links.at(line)->traffic().add(
-            [&to](const Traffic &traffic) { to.insert(to.end(), traffic.bytes.begin(), traffic.bytes.end()); });
-    }
-    /// The next bytes that the other end of a line gets; the kernel hands them over in its own time.
-    Bytes heard(std::size_t line, std::size_t count) const
-    {
-        Bytes all;
-        pollfd waiting{lines.at(line).descriptor(), POLLIN, 0};
-        while (all.size() < count && ::poll(&waiting, 1, 5000) == 1 && (waiting.revents & POLLIN) != 0) {
-            const Bytes more = lines.at(line).read();
-            all.insert(all.end(), more.begin(), more.end());
-        }
-        return all;
-    }
-
-    std::array<test::PseudoTerminal, 2> lines;
-    QTemporaryDir folder;
-    VirtualClock clock;
-    test::FakeGuard guard;
-    std::array<const Family *, 1> families{&wiredFamily};
-    LinkBook book{clock, families};
-    SessionMemory memory;
-    DeviceBook devices{clock, book, memory, &guard};
-    SessionStops stops{clock, book, devices, &guard};
-    std::array<Link *, 2> links{};
-};
+using test::Bytes;
+using test::driveByte;
+using test::releaseByte;
+using test::scriptByte;
+using test::SessionLines;
+using test::stopByte;
+using test::WiredMotor;
 
 TEST_F(SessionLines, AClosedLinkStopsItsOwnMotorsOnlyAndOwesWhatWasNotSeen)
 {
@@ -439,75 +289,6 @@ TEST_F(SessionLines, AnotherAdapterUnderTheNameOfALostLineIsToldNothingAndTheDeb
     EXPECT_EQ(heard(0, 1), Bytes{scriptByte}) << "under its new name";
     (void)motorOn(*links[1]);
     EXPECT_TRUE(stops.owed().empty());
-}
-
-TEST_F(SessionLines, WhatIsKnownOfADeviceIsKeptWhenItChangesAndRecalledWhenItIsFoundAgain)
-{
-    memory.keepProfiles(folder.path().toStdString() + "/profiles");
-    motorOn(*links[0]).knowledge().setCounter("saves", 7);
-    motorOn(*links[1]).knowledge().setCounter("saves", 8);
-    devices.forget(*links[0]);
-    devices.forget(*links[1]);
-    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
-    EXPECT_EQ(motorOn(*links[1]).knowledge().profile().counters.at("saves"), 8);
-    EXPECT_TRUE(motorOn(*links[0], 4).knowledge().profile().isEmpty()) << "another number";
-}
-
-TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsFoundUntilSomethingIsKeptOfItsPlace)
-{
-    const std::string profiles = folder.path().toStdString() + "/profiles";
-    memory.keepProfiles(profiles);
-    DeviceProfile before;
-    before.counters["saves"] = 7;
-    ASSERT_TRUE(ProfileBook(profiles).save(links[0]->address().text() + "/wired:3", before));
-    WiredMotor &motor = motorOn(*links[0]);
-    ASSERT_TRUE(motor.knowledge().profile().counters.contains("saves"));
-    EXPECT_EQ(motor.knowledge().profile().counters.at("saves"), 7);
-    motor.knowledge().setCounter("saves", 8);
-    devices.forget(*links[0]);
-    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
-}
-
-TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsNotThatOfTheNextAdapterWithTheName)
-{
-    const std::string profiles = folder.path().toStdString() + "/profiles";
-    memory.keepProfiles(profiles);
-    DeviceProfile before;
-    before.counters["saves"] = 7;
-    const std::string old = links[0]->address().text() + "/wired:3";
-    ASSERT_TRUE(ProfileBook(profiles).save(old, before));
-    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before);
-    EXPECT_TRUE(QFile::exists(QString::fromStdString(ProfileBook(profiles).pathOf(old) + ".moved")));
-    close(*links[0]);
-    close(*links[1]);
-    unplug(0);
-    unplug(1);
-    plug(1, 0);
-    links[0] = openLine(0);
-    EXPECT_TRUE(motorOn(*links[0]).knowledge().profile().isEmpty()) << "of another adapter";
-    close(*links[0]);
-    unplug(0);
-    plug(0, 0);
-    links[0] = openLine(0);
-    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before) << "of its own place";
-}
-
-TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
-{
-    memory.keepProfiles(folder.path().toStdString() + "/profiles");
-    const auto duplicate = [this](int session, const std::vector<Device *> &seen = {}) -> Device & {
-        Identity identity;
-        identity.family = "wired";
-        identity.address = 3;
-        identity.session = session;
-        identity.state = DeviceState::Duplicate;
-        return devices.adopt(*links[0], wiredFamily, identity, seen);
-    };
-    Device &first = duplicate(0x12);
-    first.knowledge().setCounter("saves", 7);
-    EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
-    devices.forget(*links[0]);
-    EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
 }
 
 } // namespace

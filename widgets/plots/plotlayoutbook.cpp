@@ -143,9 +143,8 @@ void PlotLayoutBook::reset()
 void PlotLayoutBook::fillMenu(QMenu &menu, QWidget &parent)
 {
     const auto saveAs = [this, &parent] {
-        askName(parent, tr("Save layout"), {}, [this](const QString &name) {
-            keep(name.trimmed().remove(QLatin1Char('@')), current());
-        });
+        askName(parent, tr("Save layout"), {},
+            [this](const QString &name) { keep(name.trimmed().remove(QLatin1Char('@')), current()); });
     };
     menu.addAction(tr("Save layout as…"), this, saveAs)->setEnabled(m_layouts.remembers());
     addFamilyEntries(menu);

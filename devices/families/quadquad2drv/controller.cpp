@@ -128,12 +128,20 @@ void Controller::look()
         setLiveness(liveness(), {}, now);
     if (wasHeard && !m_heard)
         breakLines();
+    const auto followOwedRate = [this] {
+        if (!gate().busy().empty() || !m_layout.takeOwedRate())
+            return;
+        m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
+            if (another && *another)
+                breakLines();
+        });
+    };
     const bool streamGone
         = m_layout.streamPeriod() > 0 && (!m_missed.streamAt() || now - *m_missed.streamAt() > silence);
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
-        m_scope.spawn<void>(m_layout.check(), [this](const Result<void> &answered) {
+        m_scope.spawn<void>(m_layout.check(), [this, followOwedRate](const Result<void> &answered) {
             m_checking = false;
             if (answered)
                 followOwedRate();
@@ -145,16 +153,6 @@ void Controller::look()
         schedulePoll();
     updateLiveness();
     m_look.startIn(lookPeriod, [this] { look(); });
-}
-
-void Controller::followOwedRate()
-{
-    if (!gate().busy().empty() || !m_layout.takeOwedRate())
-        return;
-    m_scope.spawn<bool>(m_layout.resumeRate(), [this](const Result<bool> &another) {
-        if (another && *another)
-            breakLines();
-    });
 }
 
 void Controller::onReset()

@@ -61,7 +61,6 @@ private:
     void onMotion(const Motion &motion, Instant time);
     void schedulePoll();
     void look();
-    void followOwedRate();
     void breakLines();
     void onReset();
     void updateLiveness();

@@ -24,10 +24,17 @@ Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
     , m_events(std::move(events))
     , m_stop(line, node, {[this] { stopped(); }, m_events.codes})
     , m_releasing(line.driven().releasing().add([this](DrivenNodes::Release &release) {
-        if (release.isBegun)
-            released();
-        else if (release.allowed)
-            release.allowed = mayBegin();
+        if (!release.isBegun) {
+            release.allowed = release.allowed ? mayBegin() : release.allowed;
+            return;
+        }
+        const bool keptOne = m_gate.keepsMove(); // DoMove is on the wire
+        if (const auto kept = m_gate.moveReleased()) {
+            begun(*kept);
+            m_events.changed();
+        } else if (keptOne) { // nobody knows which
+            m_count.doubted();
+        }
     }))
 {
 }
@@ -278,18 +285,6 @@ Result<void> Motion::release()
     tell.left = [&driven = m_line.driven()] { driven.released(); }; // even when nobody waits for it any more
     m_releaseTicket = m_line.submit(tell, [](const Result<Frame> &) {});
     return {};
-}
-
-/// DoMove is on the wire.
-void Motion::released()
-{
-    const bool keptOne = m_gate.keepsMove();
-    if (const auto kept = m_gate.moveReleased()) {
-        begun(*kept);
-        m_events.changed();
-    } else if (keptOne) { // nobody knows which
-        m_count.doubted();
-    }
 }
 
 /// The move that it keeps, from where the motor is by now.

@@ -71,7 +71,6 @@ public:
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
     [[nodiscard]] Result<void> mayBegin() const;
-    void released();
     void begun(const SetPoint &order);
     void pump();
     [[nodiscard]] Step nextStep() const;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of the devices of a session outlives them, each in its place. The lines are pseudo terminals.
+#include "sessionlines.h"
+
+#include <QFile>
+
+namespace mb {
+namespace {
+
+using test::SessionLines;
+using test::wiredFamily;
+using test::WiredMotor;
+
+TEST_F(SessionLines, WhatIsKnownOfADeviceIsKeptWhenItChangesAndRecalledWhenItIsFoundAgain)
+{
+    memory.keepProfiles(folder.path().toStdString() + "/profiles");
+    motorOn(*links[0]).knowledge().setCounter("saves", 7);
+    motorOn(*links[1]).knowledge().setCounter("saves", 8);
+    devices.forget(*links[0]);
+    devices.forget(*links[1]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
+    EXPECT_EQ(motorOn(*links[1]).knowledge().profile().counters.at("saves"), 8);
+    EXPECT_TRUE(motorOn(*links[0], 4).knowledge().profile().isEmpty()) << "another number";
+}
+
+TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsFoundUntilSomethingIsKeptOfItsPlace)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    memory.keepProfiles(profiles);
+    DeviceProfile before;
+    before.counters["saves"] = 7;
+    ASSERT_TRUE(ProfileBook(profiles).save(links[0]->address().text() + "/wired:3", before));
+    WiredMotor &motor = motorOn(*links[0]);
+    ASSERT_TRUE(motor.knowledge().profile().counters.contains("saves"));
+    EXPECT_EQ(motor.knowledge().profile().counters.at("saves"), 7);
+    motor.knowledge().setCounter("saves", 8);
+    devices.forget(*links[0]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
+}
+
+TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsNotThatOfTheNextAdapterWithTheName)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    memory.keepProfiles(profiles);
+    DeviceProfile before;
+    before.counters["saves"] = 7;
+    const std::string old = links[0]->address().text() + "/wired:3";
+    ASSERT_TRUE(ProfileBook(profiles).save(old, before));
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before);
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(ProfileBook(profiles).pathOf(old) + ".moved")));
+    close(*links[0]);
+    close(*links[1]);
+    unplug(0);
+    unplug(1);
+    plug(1, 0);
+    links[0] = openLine(0);
+    EXPECT_TRUE(motorOn(*links[0]).knowledge().profile().isEmpty()) << "of another adapter";
+    close(*links[0]);
+    unplug(0);
+    plug(0, 0);
+    links[0] = openLine(0);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before) << "of its own place";
+}
+
+TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
+{
+    memory.keepProfiles(folder.path().toStdString() + "/profiles");
+    const auto duplicate = [this](int session, const std::vector<Device *> &seen = {}) -> Device & {
+        Identity identity;
+        identity.family = "wired";
+        identity.address = 3;
+        identity.session = session;
+        identity.state = DeviceState::Duplicate;
+        return devices.adopt(*links[0], wiredFamily, identity, seen);
+    };
+    Device &first = duplicate(0x12);
+    first.knowledge().setCounter("saves", 7);
+    EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
+    devices.forget(*links[0]);
+    EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
+}
+
+} // namespace
+} // namespace mb
