@@ -47,16 +47,18 @@ std::map<Rates::Place, double> Rates::wished() const
     return most;
 }
 
-/// What is not in force yet, of devices that are there.
+/// What is not in force yet, or perhaps not, of devices that are there.
 std::map<Rates::Place, double> Rates::open() const
 {
     std::map<Place, double> found = wished();
     for (const auto &[place, hertz] : m_inForce)
         found.try_emplace(place, 0.0);
+    for (const Place &place : m_lost)
+        found.try_emplace(place, 0.0);
     std::erase_if(found, [this](const auto &one) {
         const auto present = m_inForce.find(one.first);
-        return one.second == (present == m_inForce.end() ? 0.0 : present->second)
-            || !m_context.session.find(one.first.first);
+        const double told = present == m_inForce.end() ? 0.0 : present->second;
+        return !m_context.session.find(one.first.first) || (one.second == told && !m_lost.contains(one.first));
     });
     return found;
 }
@@ -75,7 +77,9 @@ void Rates::wait()
 
 void Rates::setNext()
 {
-    std::erase_if(m_inForce, [this](const auto &one) { return !m_context.session.find(one.first.first); });
+    const auto isGone = [this](const Place &place) { return !m_context.session.find(place.first); };
+    std::erase_if(m_inForce, [&](const auto &one) { return isGone(one.first); });
+    std::erase_if(m_lost, isGone);
     const std::map<Place, double> waiting = open();
     if (waiting.empty())
         return;
@@ -90,8 +94,6 @@ void Rates::setNext()
 
 void Rates::set(const Place &place, double hertz)
 {
-    const auto present = m_inForce.find(place);
-    const auto before = present == m_inForce.end() ? std::optional<double>() : std::optional(present->second);
     if (hertz > 0.0)
         m_inForce[place] = hertz;
     else
@@ -99,13 +101,11 @@ void Rates::set(const Place &place, double hertz)
     m_context.operations.begin<void>(
         place.first, say("Set telemetry rate"),
         [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
-        [this, place, before](
-            const Operations::Job &job, const Result<void> &result) { ended(place, before, job.device, result); },
+        [this, place](const Operations::Job &job, const Result<void> &result) { ended(place, job.device, result); },
         [](const Result<void> &) {});
 }
 
-/// What got lost has perhaps not come into force: what was before it still stands in the book.
-void Rates::ended(const Place &place, std::optional<double> before, DeviceId device, const Result<void> &result)
+void Rates::ended(const Place &place, DeviceId device, const Result<void> &result)
 {
     const bool isLost = !result && (result.error().fault == Fault::Timeout || result.error().fault == Fault::LinkLost);
     const bool isNews = isLost ? m_lost.insert(place).second : !result;
@@ -113,13 +113,8 @@ void Rates::ended(const Place &place, std::optional<double> before, DeviceId dev
         m_lost.erase(place);
     if (isNews && result.error().fault != Fault::Unsupported) // then it stays as it is
         m_context.log.tell(Severity::Caution, device, say("Set telemetry rate: %1", result.error().message()));
-    if (!isLost)
-        return;
-    if (before)
-        m_inForce[place] = *before;
-    else
-        m_inForce.erase(place);
-    wait();
+    if (isLost)
+        wait();
 }
 
 } // namespace mb

@@ -5,7 +5,6 @@
 #include "widgets/orders/deviceorders.h"
 
 #include <map>
-#include <optional>
 #include <set>
 
 namespace mb {
@@ -21,7 +20,7 @@ namespace mb {
 ///
 /// Each rate is an operation of its device, so they are set one after the other, each while its device is free, what somebody waits to
 /// see before what nobody does. A rate that a device refuses is told in the log, and not asked for again; one that got lost is told
-/// once, and asked for until it is answered.
+/// once, and asked for until it is answered; where nobody wishes it any more the device's own rate is.
 class Rates {
 public:
     explicit Rates(const EngineContext &context)
@@ -43,12 +42,12 @@ private:
     void wait();
     void setNext();
     void set(const Place &place, double hertz);
-    void ended(const Place &place, std::optional<double> before, DeviceId device, const Result<void> &result);
+    void ended(const Place &place, DeviceId device, const Result<void> &result);
 
     EngineContext m_context;
     std::map<std::uint64_t, std::map<Place, double>> m_wishes; ///< by who wishes
     std::map<Place, double> m_inForce;                         ///< what the devices were asked for
-    std::set<Place> m_lost;                                    ///< told so
+    std::set<Place> m_lost;                                    ///< without an answer, so perhaps not in force; told so
     Timer m_next;
 };
 

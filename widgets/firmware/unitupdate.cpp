@@ -46,12 +46,18 @@ const OperationView *updateOf(const Snapshot &shot, const DeviceView *device)
     return nullptr;
 }
 
+/// What a cancel leaves after so many pages.
+QString leftAfter(int pages, const UpdateWords &words)
+{
+    return tableText(pages > 0 && !words.written.empty() ? words.written : words.cancel);
+}
+
 /// What the unit is left as, as far as it is known.
 QString cancelledText(const UpdateReport &report, const UpdateWords &words, bool touched)
 {
     if (!report.remedy.empty())
         return UnitUpdate::tr("Cancelled: %1").arg(messageText(report.summary()));
-    return touched ? UnitUpdate::tr("Cancelled. %1.").arg(tableText(words.cancel))
+    return touched ? UnitUpdate::tr("Cancelled. %1.").arg(leftAfter(report.pages, words))
                    : UnitUpdate::tr("Cancelled: nothing was written.");
 }
 
@@ -354,7 +360,9 @@ void UnitUpdate::followOrders(const DeviceView *device, const OperationView *ope
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);
     const UpdateWords words = wordsFor(operation);
-    m_cancel->setToolTip(tableText(running && !operation->status.mayInterrupt ? words.critical : words.cancel));
+    m_cancel->setToolTip(running && !operation->status.mayInterrupt
+            ? tableText(words.critical)
+            : leftAfter(running ? operation->status.update.pages : 0, words));
 }
 
 QString UnitUpdate::remaining(const OperationStatus &status) const
