@@ -4218,7 +4218,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
     <message>
         <source>not prepared: an experiment on the selected device has not ended</source>
-        <translation>non préparé : un essai avec l’appareil sélectionné n’est pas encore terminé</translation>
+        <translation>non préparé&#xa0;: un essai avec l’appareil sélectionné n’est pas encore terminé</translation>
     </message>
 </context>
 <context>
@@ -18869,7 +18869,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
-        <translation>la recherche s’arrête ici, car un firmware est écrit ou des unités sont servies ; ce qu’elle a trouvé reste</translation>
+        <translation>la recherche s’arrête ici, car un firmware est écrit ou des unités sont servies&#x202f;; ce qu’elle a trouvé reste</translation>
     </message>
 </context>
 </TS>
