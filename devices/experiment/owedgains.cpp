@@ -131,9 +131,9 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
     auto confirming = confirmStop(device);
-    const bool isOff = co_await std::move(confirming);
+    (void)co_await std::move(confirming);
     auto resting = untilAtRest(device);
-    if (!isOff || !co_await std::move(resting))
+    if (!co_await std::move(resting) || !device.isSeenStopped()) // another may drive a motor that is blocked
         co_return fail(
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     auto writing = writeGains(device, changesOf(device.family(), owed.values));

@@ -69,6 +69,7 @@ protected:
     CanLink(LinkAddress address, Clock &clock)
         : Link(std::move(address), LinkKind::Can)
         , m_clock(clock)
+        , m_load(*this, clock)
     {
     }
     [[nodiscard]] Clock &clock() const { return m_clock; }
@@ -85,18 +86,12 @@ protected:
     void forgetHealth()
     {
         m_health = {};
-        m_load = {};
+        m_load.forget();
     }
     /// For backends: frames wait since then, or none does.
     void setStuckSince(std::optional<Instant> since) { m_health.stuckSince = since; }
 
 private:
-    void setState(LinkState state) final
-    {
-        if (state == LinkState::Open)
-            m_load.begin(m_clock.now());
-        Link::setState(state);
-    }
     virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     [[nodiscard]] virtual int doBitrate() const = 0;

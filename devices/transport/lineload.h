@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "transport/link.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,14 +9,16 @@
 
 namespace mb {
 
-/// How much of a line is in use, over whole seconds of its traffic.
+/// How much of a link's line is in use, over whole seconds of its traffic.
 class LineLoad {
 public:
-    /// What passes counts from now on.
-    void begin(Instant time)
+    /// Counts anew each time the link is opened. Both outlive this.
+    LineLoad(Link &link, const Clock &clock)
+        : m_opened(link.stateChanged().add([this, &clock](LinkState state) {
+            if (state == LinkState::Open)
+                begin(clock.now());
+        }))
     {
-        *this = {};
-        m_second = time;
     }
     /// `bits` on the wire at `time`; times do not run backwards.
     void count(Instant time, std::uint64_t bits)
@@ -30,6 +32,8 @@ public:
         }
         m_bits += bits;
     }
+    /// What was counted belongs to another time.
+    void forget() { begin(std::nullopt); }
     /// Fraction of `bitrate` in use, 0…1; nothing before the first second is over, and where the rate is not known.
     [[nodiscard]] std::optional<double> fraction(Instant now, int bitrate) const
     {
@@ -42,9 +46,17 @@ public:
 
 private:
     static constexpr Duration window = std::chrono::seconds(1);
+    void begin(std::optional<Instant> second)
+    {
+        m_second = second;
+        m_bits = 0;
+        m_bitsBefore.reset();
+    }
+
     std::optional<Instant> m_second;
     std::uint64_t m_bits = 0;
     std::optional<std::uint64_t> m_bitsBefore;
+    Subscription m_opened;
 };
 
 } // namespace mb

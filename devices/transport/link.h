@@ -121,7 +121,7 @@ protected:
 
     /// For backends: the link is gone. The cause reads well after "link lost:".
     void lose(Error loss);
-    virtual void setState(LinkState state);
+    void setState(LinkState state);
     void countLost(std::uint64_t frames) { m_counters.lost += frames; }
     void countError() { ++m_counters.errors; }
     void passed(const Traffic &traffic);

@@ -23,6 +23,7 @@ SerialLink::SerialLink(LinkAddress address, Clock &clock)
     , m_clock(clock)
     , m_fixed(fixedRate(this->address()))
     , m_baudrate(m_fixed.value_or(usualRate))
+    , m_load(*this, clock)
 {
 }
 

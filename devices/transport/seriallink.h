@@ -92,12 +92,6 @@ protected:
     void reportLineError();
 
 private:
-    void setState(LinkState state) final
-    {
-        if (state == LinkState::Open)
-            m_load.begin(m_clock.now());
-        Link::setState(state);
-    }
     virtual Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     /// Only while the link is open.

@@ -71,6 +71,7 @@ protected:
         : Link(std::move(address), LinkKind::Spi)
         , m_clock(clock)
         , m_clockRate(clockRate)
+        , m_load(*this, clock)
         , m_turns(clock)
         , m_poll(clock)
     {
@@ -88,12 +89,6 @@ private:
         std::optional<Result<Bytes>> result;
         std::coroutine_handle<> waiting;
     };
-    void setState(LinkState state) final
-    {
-        if (state == LinkState::Open)
-            m_load.begin(m_clock.now());
-        Link::setState(state);
-    }
     /// Begins a transfer; only one at a time is under way.
     virtual void doTransfer(const Bytes &mosi) = 0;
     /// Asks for the level of the ready line, which setReady() then tells; for links that are not told of changes.

@@ -350,7 +350,7 @@ TEST(Endings, GainsThatReadBackDifferentAreStillOwed)
         insist();
         step.bench.interruption.interrupt();
     });
-    EXPECT_EQ(trial.notPutBack.english(), "slot0.p reads back different from what was written");
+    EXPECT_TRUE(trial.notPutBack.english().starts_with("slot0.p was written as ")) << trial.notPutBack;
     EXPECT_FALSE(step.bench.journal.owed.empty());
 }
 
