@@ -221,7 +221,7 @@ TEST_F(Served, WhoTakesTheArmingBackBetweenTwoPushesEndsTheSelfTest)
     const auto refusedStart = clock.now() + 10s;
     EXPECT_FALSE(renewedUntil([&] { return isDriven() || clock.now() > refusedStart; }) && isDriven());
     EXPECT_EQ(view().counts.failed, 1);
-    EXPECT_EQ(view().rows.front().visit.cause.english(), "the self-test was stopped by hand");
+    EXPECT_EQ(view().rows.front()->visit.cause.english(), "the self-test was stopped by hand");
 }
 
 TEST_F(Served, WhoEndsTheQueueLetsTheSelfTestThatTurnsComeToItsEnd)

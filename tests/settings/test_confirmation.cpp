@@ -243,6 +243,7 @@ TEST_F(Confirmations, OnlyALaterValueThatWasSeenReplacesOne)
         std::array<SettingsChange, 2> changes;
         changes[0].purpose = Purpose::Provisional;
         changes[0].values = {{"uart.baud", 57600, 115200, Proof::Equal}};
+        changes[1].origin = settings::Origin::Console; // what the window writes over it is measured by what was kept
         changes[1].values = {{"uart.baud", 115200, 9600, proof}};
         EXPECT_EQ(settings::unconfirmed(nodes, changes).size(), open) << static_cast<int>(proof);
     }

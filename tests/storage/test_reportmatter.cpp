@@ -172,7 +172,7 @@ TEST_F(Reports, OfOneServiceOfManyTheReportEndsWithItAndThatOfAPlaceHasNoOther)
         visit.id = id;
         visit.unit = unit;
         visit.number = 10; // from its next power cycle on
-        visit.time = clock.now().time_since_epoch().count() * 1e-9;
+        visit.time = std::chrono::duration<double>(clock.now().time_since_epoch()).count();
         EXPECT_TRUE(putVisits(*database, {{visit, 1}}));
         clock.advance(std::chrono::minutes(1));
     }
