@@ -39,11 +39,6 @@ TEST(Relay, TakesThePlaceOfPushesWhereTravelIsSmall)
             std::string(toString(report->result)).c_str(), report->plant.gain, far->plant.gain, 1e3 * report->plant.tau,
             1e3 * far->plant.tau, report->evidence.english().c_str());
         const Gate *const gate = gateOf(*report, "relay");
-        if (!gate && share < 0.1) { // a swing of some ten samples is even or not by how they fall
-            EXPECT_EQ(report->result, TuneResult::Refused);
-            EXPECT_NE(report->evidence.english().find("did not swing evenly"), std::string::npos) << report->evidence;
-            continue;
-        }
         ASSERT_NE(gate, nullptr);
         std::printf("  %s\n", gate->detail.english().c_str());
         EXPECT_TRUE(gate->passed);
