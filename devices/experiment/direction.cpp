@@ -73,35 +73,49 @@ tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip,
 
 /// Where an axis was seen, and since when.
 struct Place {
+    Place(const Telemetry &telemetry, ChannelIndex of, Instant begin)
+        : channel(of)
+        , since(begin)
+    {
+        if (const auto newest = telemetry.latest(channel)) {
+            counts = newest->value;
+            told = newest->time;
+        }
+    }
     ChannelIndex channel;
     std::optional<double> counts{};
-    Instant since{};
+    Instant since;
     Instant told{};
 
-    [[nodiscard]] bool rests() const { return counts && told - since >= restSpan; }
-    /// Nothing of what was told before `begin`.
-    void look(const Telemetry &telemetry, Instant begin)
+    /// What was silent since may have gone anywhere.
+    [[nodiscard]] bool rests(Instant now) const
     {
-        const auto now = telemetry.latest(channel);
-        if (!now || now->time < begin)
+        return counts && now - since >= restSpan && told - since >= restSpan / 2;
+    }
+    void look(const Telemetry &telemetry, Instant now)
+    {
+        const auto newest = telemetry.latest(channel);
+        if (!newest || newest->time <= told)
             return;
-        told = now->time;
-        if (counts && std::abs(now->value - *counts) <= restCounts)
+        told = newest->time;
+        if (counts && std::abs(newest->value - *counts) <= restCounts)
             return;
-        counts = now->value;
-        since = told;
+        counts = newest->value;
+        since = now;
     }
 };
 
 std::vector<Place> placesOf(const Device &device, std::optional<int> axis)
 {
-    std::vector<Place> places;
+    const Telemetry &telemetry = *device.telemetry();
+    const Instant begin = device.clock().now();
     if (const auto channel = axis ? axisChannel(device, "position", *axis) : std::nullopt)
-        return {{*channel}};
-    const auto channels = device.telemetry()->channels();
+        return {{telemetry, *channel, begin}};
+    std::vector<Place> places;
+    const auto channels = telemetry.channels();
     for (std::uint16_t i = 0; i < channels.size(); ++i) {
         if (channels[i].key == axisKey(axisOf(channels[i].key), "position"))
-            places.push_back({ChannelIndex{i}});
+            places.emplace_back(telemetry, ChannelIndex{i}, begin);
     }
     return places;
 }
@@ -196,13 +210,13 @@ Task<bool> untilAtRest(Device &device, std::optional<int> axis)
     Clock &clock = device.clock();
     const Instant begin = clock.now();
     std::vector<Place> places = placesOf(device, axis);
-    while (!std::ranges::all_of(places, [](const Place &place) { return place.rests(); })) {
+    while (!std::ranges::all_of(places, [&clock](const Place &place) { return place.rests(clock.now()); })) {
         if (clock.now() >= begin + restLimit || device.link().state() != LinkState::Open)
             co_return false;
         Sleep nap(clock, glancePeriod);
         co_await nap;
         for (Place &place : places)
-            place.look(*device.telemetry(), begin);
+            place.look(*device.telemetry(), clock.now());
     }
     co_return true;
 }

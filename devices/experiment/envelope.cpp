@@ -52,10 +52,7 @@ void apply(Envelope &envelope, const DeviceLimit &limit, double value, double po
     switch (limit.bounds) {
     case DeviceLimit::Bounds::Speed: envelope.speed = value; break;
     case DeviceLimit::Bounds::Current: envelope.current = value; break;
-    case DeviceLimit::Bounds::Duty:
-        if (value != 0.0) // else it is never driven that way
-            envelope.duty = narrower(envelope.duty, std::abs(value));
-        break;
+    case DeviceLimit::Bounds::Duty: envelope.duty = std::abs(value); break;
     case DeviceLimit::Bounds::Position:
         if (other) // both sides are closed
             envelope.travel = std::max(0.0, std::min(*other, std::abs(value - position)));

@@ -57,7 +57,7 @@ struct RawLoop {
     std::string_view profileAcceleration{}; ///< the same, counts/s²
 };
 
-/// A setting of the device that bounds what a trial may do. Two of a duty are those of both ways, of which the narrower counts.
+/// A setting of the device that bounds what a trial may do.
 struct DeviceLimit {
     enum class Bounds { Position, Speed, Current, Duty };
     Bounds bounds = Bounds::Current;

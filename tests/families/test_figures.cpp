@@ -107,7 +107,7 @@ TEST(FamilyFigures, WhatATrialMustKnow)
         "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
         "current; position limit.forward.soft.threshold 1 by limit.forward.soft.enabled; position "
         "limit.reverse.soft.threshold 1 by limit.reverse.soft.enabled; current current_limit.continuous 1 by "
-        "current_limit.enabled; duty slot#.max_forward 32767; duty slot#.max_reverse 32767");
+        "current_limit.enabled; duty slot#.max_forward 32767");
     EXPECT_EQ(trialsOf(familyNamed("supermodified")),
         "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280, nudge 20 60, hottest 80, bus 0 1000; position; "
         "current limit.current 1000");

@@ -97,12 +97,11 @@ constexpr std::array<LoopGains, 3> triedLoops{{
     {Mode::Position, "slot#.", slotNames},
     {Mode::Current, "slot#.", slotNames},
 }};
-constexpr std::array<DeviceLimit, 5> deviceLimits{{
+constexpr std::array<DeviceLimit, 4> deviceLimits{{
     {DeviceLimit::Bounds::Position, "limit.forward.soft.threshold", "limit.forward.soft.enabled", 1.0},
     {DeviceLimit::Bounds::Position, "limit.reverse.soft.threshold", "limit.reverse.soft.enabled", 1.0},
     {DeviceLimit::Bounds::Current, "current_limit.continuous", "current_limit.enabled", 1.0},
     {DeviceLimit::Bounds::Duty, "slot#.max_forward", "", fullDuty},
-    {DeviceLimit::Bounds::Duty, "slot#.max_reverse", "", fullDuty},
 }};
 constexpr TrialTraits trials{
     .loops = triedLoops,
