@@ -14308,10 +14308,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 von %2 Einstellungen wurden neu geschrieben; dann wurde die Platine nochmals zurückgesetzt</translation>
     </message>
     <message>
-        <source>%1 reads back different from what was written</source>
-        <translation>%1 liest sich anders zurück, als es geschrieben wurde</translation>
-    </message>
-    <message>
         <source>%1 said nothing for too long</source>
         <translation>%1 hat zu lange nichts gesagt</translation>
     </message>

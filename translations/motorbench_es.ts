@@ -13452,10 +13452,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 parámetros sin respuesta</translation>
     </message>
     <message>
-        <source>%1 reads back different from what was written</source>
-        <translation>%1 se relee distinto de lo escrito</translation>
-    </message>
-    <message>
         <source>%1 said nothing for a minute and was ended</source>
         <translation>%1 no dijo nada durante un minuto y se terminó</translation>
     </message>

@@ -13452,10 +13452,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>%1 paramètres sans réponse</translation>
     </message>
     <message>
-        <source>%1 reads back different from what was written</source>
-        <translation>la relecture de %1 diffère de ce qui a été écrit</translation>
-    </message>
-    <message>
         <source>%1 said nothing for a minute and was ended</source>
         <translation>%1 n’a rien dit pendant une minute et a été interrompu</translation>
     </message>

@@ -13435,10 +13435,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 個のパラメータが応答しませんでした</translation>
     </message>
     <message>
-        <source>%1 reads back different from what was written</source>
-        <translation>%1 の読み戻し値が書き込んだ値と異なります</translation>
-    </message>
-    <message>
         <source>%1 said nothing for a minute and was ended</source>
         <translation>%1 は 1 分間応答がなかったため終了しました</translation>
     </message>

@@ -13435,10 +13435,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 个参数无应答</translation>
     </message>
     <message>
-        <source>%1 reads back different from what was written</source>
-        <translation>%1 的回读值与写入值不同</translation>
-    </message>
-    <message>
         <source>%1 said nothing for a minute and was ended</source>
         <translation>%1 一分钟没有任何响应，已被结束</translation>
     </message>

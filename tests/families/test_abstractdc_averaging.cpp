@@ -59,6 +59,7 @@ TEST_F(AbstractDcController, OfTheAveragingOfADriveThatStandsInThePlaceOfAnother
     ASSERT_TRUE(write("current.averaging", 50));
     device->knowledge().unitExchanged();
     EXPECT_FALSE(device->mayMove()) << "nothing proves that it was switched off";
+    ASSERT_TRUE(write("current.averaging", 50));
     powerCycle(drive, 500ms);
     ASSERT_TRUE(write("current.averaging", 50));
     ASSERT_TRUE(device->mayMove()) << "it had that";

@@ -147,7 +147,7 @@ inline std::optional<Instant> atOnce(const TripWatch &, Instant struck)
     return struck;
 }
 
-/// More than 5 % of what the unit sent in the last second did not come, of forty samples or more.
+/// More than 5 % of what the unit sends in a second did not come in the last one, of forty samples or more.
 inline std::optional<Instant> losing(const TripWatch &watch, Instant)
 {
     const auto &seen = watch.seen();
@@ -158,7 +158,8 @@ inline std::optional<Instant> losing(const TripWatch &watch, Instant)
                 break;
         const auto lost = static_cast<double>(seen[i].lost - seen[std::min(from, i)].lost);
         const auto came = static_cast<double>(i - std::min(from, i));
-        if (seen[i].time > watch.startedAt() && came + lost >= 40.0 && lost > 0.05 * (came + lost))
+        const std::chrono::duration<double> part = seen[i].time - std::max(seen[std::min(from, i)].time, watch.startedAt());
+        if (seen[i].time > watch.startedAt() && came + lost >= 40.0 && lost * part.count() > 0.05 * (came + lost))
             return seen[i].time;
     }
     return std::nullopt;

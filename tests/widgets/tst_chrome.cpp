@@ -137,6 +137,7 @@ void ChromeTest::everyControlHasAnAccessibleName()
     header.setRecording(QStringLiteral("REC 12:41"));
     Banner banner(m_theme, BannerKind::Caution, QStringLiteral("cause"), QStringLiteral("remedy"));
     banner.setAction(QStringLiteral("How to check"));
+    banner.setOther(QStringLiteral("Leave it"));
     Segmented segments(QStringLiteral("Filter"), {QStringLiteral("All"), QStringLiteral("Errors")});
     QList<QAbstractButton *> buttons = header.findChildren<QAbstractButton *>()
         + banner.findChildren<QAbstractButton *>() + segments.findChildren<QAbstractButton *>();

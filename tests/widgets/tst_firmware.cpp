@@ -253,7 +253,7 @@ void FirmwareTest::aCancelAfterAllWasWrittenIsNotSaidToLeaveTheOldProgram()
         operation.update->pages = 31;
         bench.workbench.publish();
         QVERIFY(bench.says(QStringLiteral("All of it is written")));
-        QVERIFY(!bench.says(QStringLiteral("Nothing is written")));
+        QVERIFY(!bench.says(QStringLiteral("Nothing is written yet")));
     }
 }
 
