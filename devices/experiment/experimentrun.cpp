@@ -266,7 +266,9 @@ Task<void> ExperimentRun::putBack()
         co_return {};
     }
     Result<void> written = fail(Fault::LinkLost, m_device.link().loss().message());
-    if (m_device.link().state() == LinkState::Open && !m_stands) {
+    if (m_device.link().state() == LinkState::Open && m_device.liveness().restarted) { // it may be another one
+        written = fail(Fault::Unsafe, say("%1 has restarted, and nobody has looked at it since", m_device.selector()));
+    } else if (m_device.link().state() == LinkState::Open && !m_stands) {
         written = fail(Fault::Unsafe, say("the motor was not seen to stand"));
     } else if (m_device.link().state() == LinkState::Open) {
         auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
