@@ -187,6 +187,7 @@ TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().text().find("times 4096"), std::string::npos) << report.error().text();
     ASSERT_TRUE(bench.device->knowledge().calibrate(calibration::targetShift, calibration::shiftedTarget));
+    bench.clock.advance(1s); // what the first has changed is put back
     Operation again(bench.clock, say("scales"));
     const auto found = bench.find(withPower(0.25), again);
     ASSERT_TRUE(found) << found.error().text();

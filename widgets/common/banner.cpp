@@ -63,18 +63,15 @@ Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, 
     setTone(*m_remedy, Tone::Dim);
     m_remedy->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_action = new QPushButton(this);
-    m_other = new QPushButton(this);
     m_dismiss = linkButton(tr("Dismiss"), this);
-    for (QPushButton *button : {m_action, m_other, m_dismiss})
+    for (QPushButton *button : {m_action, m_dismiss})
         button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     new QGridLayout(this);
     connect(m_action, &QPushButton::clicked, this, &Banner::actionTriggered);
-    connect(m_other, &QPushButton::clicked, this, &Banner::otherTriggered);
     connect(m_dismiss, &QPushButton::clicked, this, &Banner::dismissed);
     connect(&theme, &ThemeSource::changed, this, &Banner::restyle);
     setText(cause, remedy);
     setAction({});
-    setOther({});
     restyle();
 }
 
@@ -99,6 +96,14 @@ void Banner::setAction(const QString &text)
 
 void Banner::setOther(const QString &text)
 {
+    if (!m_other && text.isEmpty())
+        return;
+    if (!m_other) {
+        m_other = new QPushButton(this);
+        m_other->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        connect(m_other, &QPushButton::clicked, this, &Banner::otherTriggered);
+        place();
+    }
     name(*m_other, text);
 }
 
@@ -120,12 +125,15 @@ void Banner::place()
     auto *grid = qobject_cast<QGridLayout *>(layout());
     const int below = m_twoLines ? 1 : 0;
     const int lines = below + 1;
-    for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_other, m_dismiss})
+    for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_dismiss})
         grid->removeWidget(part);
+    if (m_other) {
+        grid->removeWidget(m_other);
+        grid->addWidget(m_other, 0, 3, lines, 1);
+    }
     grid->addWidget(m_cause, 0, 0, 1, lines);
     grid->addWidget(m_remedy, below, 1 - below, 1, lines);
     grid->addWidget(m_action, 0, 2, lines, 1);
-    grid->addWidget(m_other, 0, 3, lines, 1);
     grid->addWidget(m_dismiss, 0, 4, lines, 1);
     grid->setColumnStretch(1, 1);
 }
