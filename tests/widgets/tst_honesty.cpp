@@ -6,7 +6,6 @@
 #include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/noticestrip.h"
-#include "widgets/common/searchfield.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/devicetree.h"
@@ -19,9 +18,7 @@
 #include "widgets/plots/plottickers.h"
 #include "widgets/plots/telemetrysource.h"
 
-#include <QMenu>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTreeView>
 
 #include <algorithm>
@@ -46,10 +43,6 @@ private Q_SLOTS:
     void aStripOfNoticesKeepsItsHeight_data();
     void aStripOfNoticesKeepsItsHeight();
     void newRowsWaitWhileTheMouseIsOverTheTree();
-    void whatTheFilterHidesStaysSelected();
-    void aUnitThatIsNumberedAnewStaysSelected();
-    void whatIsGoneSelectsNoOther();
-    void theMenuOfALinkIsOfThatLink();
     void aWindowThatHungSaysSoInWordsForPeople();
     void aStopByHandIsNoAlarm();
 };
@@ -355,96 +348,6 @@ void HonestyTest::newRowsWaitWhileTheMouseIsOverTheTree()
     QCoreApplication::sendEvent(view->viewport(), &leave);
     QVERIFY(tree.model().indexOf({3}).isValid());
     QTRY_VERIFY(!view->visualRect(tree.model().indexOf({3})).isEmpty());
-}
-
-namespace {
-
-/// The tree over three units of one link, of which one is selected.
-struct TreeBench {
-    FakeWorkbench workbench;
-    Selection selection;
-    ThemeSource theme{lightTheme()};
-    std::unique_ptr<DeviceTree> tree;
-    std::unique_ptr<QSignalSpy> changes;
-
-    explicit TreeBench(DeviceId selected)
-    {
-        addLink(workbench.shot, "can0");
-        workbench.shot.devices = {driveAt(1, 5, "can0"), driveAt(2, 7, "can0"), driveAt(3, 63, "can0")};
-        selection.select(selected);
-        tree = std::make_unique<DeviceTree>(workbench, selection, theme);
-        tree->resize(240, 600);
-        tree->show();
-        changes = std::make_unique<QSignalSpy>(&selection, &Selection::changed);
-    }
-    [[nodiscard]] QTreeView &view() const { return *tree->findChild<QTreeView *>(); }
-    [[nodiscard]] DeviceId shown() const { return tree->model().deviceAt(view().currentIndex()); }
-};
-
-} // namespace
-
-void HonestyTest::whatTheFilterHidesStaysSelected()
-{
-    const TreeBench bench({1});
-    auto *filter = bench.tree->findChild<SearchField *>();
-    filter->setText(s("#7"));
-    QVERIFY(!bench.tree->model().indexOf({1}).isValid());
-    QCOMPARE(bench.selection.device(), DeviceId{1});
-    QVERIFY(bench.view().selectionModel()->selectedRows().isEmpty());
-    filter->clear();
-    QCOMPARE(bench.shown(), DeviceId{1});
-    QCOMPARE(bench.changes->size(), 0);
-}
-
-void HonestyTest::aUnitThatIsNumberedAnewStaysSelected()
-{
-    TreeBench bench({3});
-    QTreeView &view = bench.view();
-    view.expand(bench.tree->model().indexOf({3}));
-    std::vector<DeviceView> &devices = bench.workbench.shot.devices;
-    devices[2].identity.edit().address = 3;
-    std::rotate(devices.begin(), devices.begin() + 2, devices.end());
-    bench.workbench.publish();
-    QCOMPARE(bench.tree->model().indexOf({3}).row(), 0);
-    QCOMPARE(bench.selection.device(), DeviceId{3});
-    QCOMPARE(bench.shown(), DeviceId{3});
-    QVERIFY(view.isExpanded(bench.tree->model().indexOf({3})));
-    QCOMPARE(bench.changes->size(), 0);
-}
-
-void HonestyTest::whatIsGoneSelectsNoOther()
-{
-    TreeBench bench({2});
-    const DeviceView gone = bench.workbench.shot.devices[1];
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin() + 1);
-    bench.workbench.publish();
-    QCOMPARE(bench.selection.device(), DeviceId{2});
-    QCOMPARE(bench.shown(), DeviceId{});
-    bench.workbench.shot.devices.push_back(gone);
-    bench.workbench.publish();
-    QCOMPARE(bench.shown(), DeviceId{2});
-    QCOMPARE(bench.changes->size(), 0);
-    bench.view().setCurrentIndex(bench.tree->model().indexOf({1})); // somebody does
-    QCOMPARE(bench.selection.device(), DeviceId{1});
-}
-
-void HonestyTest::theMenuOfALinkIsOfThatLink()
-{
-    TreeBench bench({1});
-    addLink(bench.workbench.shot, "can1");
-    bench.workbench.publish();
-    std::swap(bench.workbench.shot.links[0], bench.workbench.shot.links[1]); // closed and opened anew
-    bench.workbench.publish();
-    const QModelIndex first = bench.tree->model().index(0, 0);
-    QCOMPARE(first.data().toString(), s("can0"));
-    const QSignalSpy closed(bench.tree.get(), &DeviceTree::closeLinkRequested);
-    Q_EMIT bench.view().customContextMenuRequested(bench.view().visualRect(first).center());
-    for (QAction *action : bench.tree->findChild<QMenu *>()->actions()) {
-        if (action->text() == s("Close this link"))
-            action->trigger();
-    }
-    QCOMPARE(closed.size(), 1);
-    QCOMPARE(closed.at(0).at(0).toString(), s("can0"));
 }
 
 namespace {

@@ -176,11 +176,19 @@ bool DeviceTree::eventFilter(QObject *watched, QEvent *event)
 }
 
 /// Where the current row goes Qt makes its neighbour the current one. That chooses nothing: somebody works with what is selected.
+/// Neither does the tree when it shows what is.
 void DeviceTree::choose(const QModelIndex &current)
 {
     m_moved = m_moved || m_model->isChanging();
-    if (const DeviceId id = m_model->deviceAt(current); id.value != 0 && !m_model->isChanging())
+    const DeviceId id = m_model->deviceAt(current);
+    if (id.value != 0 && !m_model->isChanging() && !isSelected(current))
         m_selection.select(id, m_model->axisAt(current));
+}
+
+/// Or belongs to that, as a channel does.
+bool DeviceTree::isSelected(const QModelIndex &row) const
+{
+    return m_model->deviceAt(row) == m_selection.device() && m_model->axisAt(row) == m_selection.axis();
 }
 
 void DeviceTree::follow()
@@ -212,9 +220,8 @@ void DeviceTree::expandInserted(const QModelIndex &parent, int first, int last)
 
 void DeviceTree::showSelection()
 {
-    const QModelIndex current = m_view->currentIndex();
-    if (m_model->deviceAt(current) == m_selection.device() && m_model->axisAt(current) == m_selection.axis())
-        return;                                                                          // one of its channels, perhaps
+    if (isSelected(m_view->currentIndex()))
+        return;
     m_view->setCurrentIndex(m_model->indexOf(m_selection.device(), m_selection.axis())); // none, where it has no row
 }
 

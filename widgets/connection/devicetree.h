@@ -52,6 +52,7 @@ private:
     void buildTree(QVBoxLayout &column);
     void buildFoot(QVBoxLayout &column);
     void choose(const QModelIndex &current);
+    [[nodiscard]] bool isSelected(const QModelIndex &row) const;
     void follow();
     void showSelection();
     void addSearch(QMenu &menu, const LinkView &link);
