@@ -158,7 +158,8 @@ inline std::optional<Instant> losing(const TripWatch &watch, Instant)
                 break;
         const auto lost = static_cast<double>(seen[i].lost - seen[std::min(from, i)].lost);
         const auto came = static_cast<double>(i - std::min(from, i));
-        const std::chrono::duration<double> part = seen[i].time - std::max(seen[std::min(from, i)].time, watch.startedAt());
+        const std::chrono::duration<double> part
+            = seen[i].time - std::max(seen[std::min(from, i)].time, watch.startedAt());
         if (seen[i].time > watch.startedAt() && came + lost >= 40.0 && lost * part.count() > 0.05 * (came + lost))
             return seen[i].time;
     }
