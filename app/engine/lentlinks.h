@@ -26,7 +26,7 @@ public:
     /// one is not there, or busy.
     [[nodiscard]] Result<void> take(const std::vector<std::string> &addresses);
     /// Those that were given back once more.
-    [[nodiscard]] Result<void> takeAgain() { return take(std::vector(m_addresses)); }
+    [[nodiscard]] Result<void> takeAgain() { return take(m_addresses); }
     [[nodiscard]] const std::vector<std::string> &addresses() const { return m_addresses; }
     void giveBack();
     /// Gives them back, and none is meant.
