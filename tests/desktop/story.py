@@ -24,7 +24,10 @@ def await_step(program, name, limit=TUNING):
         if stopped:
             raise Missing(f"step {name} of the story: stopped, {stopped.description}")
         return re.search(rf"\d\. {name}\b", steps(program))
-    wait(f"step {name} of the story", reached, limit, PAUSE)
+    try:
+        wait(f"step {name} of the story", reached, limit, PAUSE)
+    except Missing as missing:
+        raise Missing(f"{missing}; it shows '{steps(program)}'") from None
 
 
 def await_done(program):

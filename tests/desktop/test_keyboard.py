@@ -13,14 +13,14 @@ import story  # noqa: E402
 MOST = 300  # times that Tab is pressed, more than any page has controls
 
 
-def tab_to(program, name):
+def tab_to(program, name, roles=None, key="Tab"):
     passed = []
     for _ in range(MOST):
-        node = program.tab()
-        if node and re.search(name, node.name):
+        node = program.tab(key)
+        if node and re.search(name, node.name) and (roles is None or node.role in roles):
             return
         passed.append(node.name if node else "nothing")
-    raise Missing(f"Tab does not come to {name}, but to {passed[:80]}")
+    raise Missing(f"{key} does not come to {name or roles}, but to {passed[:80]}")
 
 
 def arm(program):
@@ -37,14 +37,9 @@ def play(program):
     tab_to(program, "^Try it: .*overshoots")
     press("Return")
     program.await_("table cell", "^DMC60C #7")
-    for _ in range(MOST):
-        if program.tab().role in ("tree", "table cell", "tree table"):
-            break
-    for _ in range(40):
-        if re.search("1. Select", story.steps(program)) is None:
-            break
-        press("Down")
-        wait("the next row", lambda: True)
+    tab_to(program, "", ("tree", "table cell", "tree table"))
+    press("Home")
+    tab_to(program, "^DMC60C #7", key="Down")
     story.await_step(program, "Arm")
     press("ctrl+3")
     arm(program)
