@@ -79,6 +79,7 @@ public:
 
     /// Links that were looked through to the end.
     [[nodiscard]] std::size_t scanned() const { return m_scanned; }
+    [[nodiscard]] bool isCut() const { return m_isCut; }
 
     Event done;
     std::optional<Error> error;
@@ -98,7 +99,6 @@ private:
     {
         if (m_running == 0 || std::exchange(m_isCut, true))
             return;
-        m_console.note("the scan was cut off: it was interrupted before it was done");
         done.set();
     }
     void addThoseOn(const Link &link, std::vector<Device *> &all) const
@@ -221,6 +221,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     const std::vector<Device *> devices = round->devices();
     const std::optional<Error> error = round->error ? round->error : opened.error;
     const bool anyScanned = round->scanned() > 0;
+    const bool isCut = round->isCut();
     round.reset(); // nothing is drawn any more
     for (Link *const link : opened.links)
         noteRemark(console, *link);
@@ -238,6 +239,8 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     } else {
         print(console, devices, units);
     }
+    if (isCut)
+        co_return fail(Fault::Cancelled, say("interrupted before it was done"));
     co_return error && !names.empty() ? console.fails(*error) : exitDone;
 }
 
