@@ -102,9 +102,9 @@ public:
             expected.insert(identity.address);
         const bool all = m_sink.extent() == ScanExtent::Everything || roundTrip(m_link) * maxOffset <= sweepMost;
         if (!all)
-            m_sink.leftOut(
-                say("Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit "
-                    "rate only by their number, or where everything is scanned"));
+            m_sink.leftOut(say("Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this "
+                               "bit rate only by their number, or by %1",
+                "motorbenchctl scan --everything"));
         auto looking = findOldest(m_link, m_clock, all ? std::nullopt : std::optional(std::move(expected)));
         const std::vector<int> offsets = co_await std::move(looking);
         for (const int offset : offsets) {
