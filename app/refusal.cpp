@@ -26,9 +26,9 @@ int statusOf(const Error &error)
 QByteArray lineOf(Error error, bool json)
 {
     if (error.help().empty())
-        error.remedy = say("--help tells what there is");
+        error.remedy = mb::say("--help tells what there is");
     if (!json)
-        return program_invocation_short_name + QByteArray(": ") + error.text().c_str() + '\n';
+        return QByteArray(program_invocation_short_name) + ": " + error.text().c_str() + '\n';
     const char *const fault = error.fault == Fault::Cancelled ? "cancelled"
         : error.fault == Fault::NotKept                       ? "refused"
                                                               : "out-of-range";
@@ -56,9 +56,8 @@ int refuse(const Error &error, bool json)
 
 void endOnSignals(bool json)
 {
-    lastLine = new QByteArray(lineOf({Fault::Cancelled, Message::verbatim("interrupted before it was done"),
-                                         Message::verbatim("run it again to finish")},
-        json));
+    lastLine = new QByteArray(
+        lineOf({Fault::Cancelled, mb::say("interrupted before it was done"), mb::say("run it again to finish")}, json));
     sigset_t all;
     sigemptyset(&all);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {

@@ -252,7 +252,7 @@ Job declareScan(CLI::App &arguments)
     arguments.add_option("link", *links, "Where to look, such as sim: or socketcan:can0");
     const auto everything = std::make_shared<bool>(false);
     arguments.add_flag(
-        "--everything", *everything, "Every rate and every address of serial lines; takes minutes, Ctrl+C ends it");
+        "--everything", *everything, "Every rate and every address; takes minutes on serial lines, Ctrl+C ends it");
     return [links, everything](Console &console) { return scan(console, *links, *everything); };
 }
 
