@@ -361,6 +361,7 @@ TEST_F(StationNumbers, OfSimulatedUnitsAreTheStationsOwnAndNoRealUnitMissesThem)
     Station two(clock, "bench 2", server.url());
     EXPECT_EQ(number(two.journal, "a"), 10);
     EXPECT_EQ(number(one.journal, "b"), 15) << "a block of its own";
+    EXPECT_EQ(JournalServer::parse(server.url())->take("t", wish, "bench 1", 1.0)->first, 10) << "the server gave none";
 }
 
 TEST_F(StationNumbers, AreTheSameForAUnitThatComesToAnotherStation)
