@@ -70,6 +70,8 @@ int main(int argc, char **argv)
         LC_MESSAGES, "C"); // what the system says of an error may not depend on more than the chosen language
     QApplication::setApplicationName(QStringLiteral("MotorBench"));
     QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
+    if (!options->plot.isEmpty() || !options->report.isEmpty())
+        mb::endOnSignals(options->json);
     if (!options->plot.isEmpty())
         return mb::plotFile(*options);
     if (!options->report.isEmpty())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/event.h"
 #include "async/mailbox.h"
 #include "async/scope.h"
 #include "storage/servicebook.h"
@@ -13,6 +14,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace mb {
 
@@ -91,63 +94,164 @@ private:
     std::unique_ptr<Loop> m_loop; ///< last: its thread uses all the others
 };
 
-/// The journal as experiments see it, in the thread that drains `home`: each word waits for the store without blocking.
-class StoredJournal final : public tuning::ExperimentJournal {
+/// Books as they are seen in the thread that drains `home`: each word is said in the thread of the store, and its answer is waited for
+/// without blocking.
+class StoredBooks {
 public:
-    StoredJournal(TrialStore &store, Mailbox &home)
+    StoredBooks(TrialStore &store, Mailbox &home)
         : m_store(store)
         , m_home(home)
     {
     }
-    [[nodiscard]] Task<std::int64_t> begin(tuning::Trial trial) override;
-    [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
-    [[nodiscard]] Task<void> markPutBack(std::int64_t trial) override;
-    [[nodiscard]] Task<void> settle(std::int64_t trial) override;
-    [[nodiscard]] Task<void> release(std::string unit, std::vector<std::string> keys) override;
-    [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
-    void abandon(std::int64_t number) override;
-    [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
-    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
+
+protected:
+    /// Of a book that has done a word when it returns: trials or settings.
+    template <class T, class Book, class... Wanted, class... Given>
+    [[nodiscard]] Task<T> ask(Task<T> (Book::*word)(Wanted...), Given... given) const
+    {
+        const Awaited<T> awaited(m_home);
+        m_store.post([answer = awaited.answer(), word, ... given = std::move(given)](const Result<Books *> &books) {
+            if (!books)
+                return answer(fail(books.error()));
+            Task<T> task = (in<Book>(**books).*word)(given...);
+            task.start({});
+            answer(std::move(task.result()));
+        });
+        return awaited.wait();
+    }
+    /// Of the journal, which may wait for its server.
+    template <class T, class... Wanted, class... Given>
+    [[nodiscard]] Task<T> askJournal(Task<T> (service::ServiceJournal::*word)(Wanted...), Given... given) const
+    {
+        const Awaited<T> awaited(m_home);
+        m_store.askJournal<T>([word, ... given = std::move(given)](
+                                  service::ServiceJournal &journal) { return (journal.*word)(given...); },
+            awaited.answer());
+        return awaited.wait();
+    }
+    void post(TrialStore::Work work) const { m_store.post(std::move(work)); }
 
 private:
+    template <class Book> static Book &in(Books &books)
+    {
+        if constexpr (std::is_same_v<Book, TrialBook>)
+            return books.trials;
+        else
+            return books.settings;
+    }
+    /// An answer of the store's thread, awaited in the one that drains `home`.
+    template <class T> class Awaited {
+    public:
+        explicit Awaited(Mailbox &home)
+            : m_home(home)
+        {
+        }
+        /// To be called in the store's thread, once.
+        [[nodiscard]] std::function<void(Result<T>)> answer() const
+        {
+            return [to = &m_home, arrival = m_arrival](Result<T> told) {
+                to->post([arrival, result = std::make_shared<Result<T>>(std::move(told))] {
+                    arrival->result = std::move(*result);
+                    arrival->come.set();
+                });
+            };
+        }
+        [[nodiscard]] Task<T> wait() const { return arrived(m_arrival); }
+
+    private:
+        struct Arrival {
+            Event come;
+            std::optional<Result<T>> result;
+        };
+        static Task<T> arrived(std::shared_ptr<Arrival> arrival)
+        {
+            co_await arrival->come.wait();
+            co_return std::move(*arrival->result);
+        }
+
+        Mailbox &m_home;
+        std::shared_ptr<Arrival> m_arrival = std::make_shared<Arrival>();
+    };
+
     TrialStore &m_store;
     Mailbox &m_home;
 };
 
-/// The journal of service, in the same way.
-class StoredService final : public service::ServiceJournal {
+/// The journal of experiments.
+class StoredJournal final : public tuning::ExperimentJournal, private StoredBooks {
 public:
-    StoredService(TrialStore &store, Mailbox &home)
-        : m_store(store)
-        , m_home(home)
+    using StoredBooks::StoredBooks;
+    Task<std::int64_t> begin(tuning::Trial trial) override { return ask(&TrialBook::begin, std::move(trial)); }
+    Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override
     {
+        return ask(&TrialBook::owe, trial, std::move(unit), std::move(values));
     }
-    [[nodiscard]] Task<service::Visit> open(service::Visit visit) override;
-    [[nodiscard]] Task<service::Visit> write(service::Visit visit) override;
-    [[nodiscard]] Task<std::vector<service::Visit>> visits(service::VisitFilter filter) override;
-    [[nodiscard]] Task<std::optional<int>> number(service::NumberWish wish) override;
-
-private:
-    TrialStore &m_store;
-    Mailbox &m_home;
+    Task<void> markPutBack(std::int64_t trial) override { return ask(&TrialBook::markPutBack, trial); }
+    Task<void> settle(std::int64_t trial) override { return ask(&TrialBook::settle, trial); }
+    Task<void> release(std::string unit, std::vector<std::string> keys) override
+    {
+        return ask(&TrialBook::release, std::move(unit), std::move(keys));
+    }
+    Task<void> complete(std::int64_t number, tuning::Trial trial) override
+    {
+        return ask(&TrialBook::complete, number, std::move(trial));
+    }
+    void abandon(std::int64_t number) override
+    {
+        post([number](const Result<Books *> &books) {
+            if (books)
+                (*books)->trials.abandon(number);
+        });
+    }
+    Task<void> keepTuning(tuning::TuneReport report) override { return ask(&TrialBook::keepTuning, std::move(report)); }
+    Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override
+    {
+        return ask(&TrialBook::owedTo, std::move(unit));
+    }
 };
 
-/// The log of settings, in the same way.
-class StoredSettings final : public settings::SettingsLog {
+/// The journal of service.
+class StoredService final : public service::ServiceJournal, private StoredBooks {
 public:
-    StoredSettings(TrialStore &store, Mailbox &home)
-        : m_store(store)
-        , m_home(home)
+    using StoredBooks::StoredBooks;
+    Task<service::Visit> open(service::Visit visit) override
     {
+        return askJournal(&ServiceJournal::open, std::move(visit));
     }
-    [[nodiscard]] Task<settings::ParameterSnapshot> keep(settings::ParameterSnapshot snapshot) override;
-    [[nodiscard]] Task<std::int64_t> begin(settings::SettingsChange change) override;
-    [[nodiscard]] Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override;
-    [[nodiscard]] Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override;
+    Task<service::Visit> write(service::Visit visit) override
+    {
+        return askJournal(&ServiceJournal::write, std::move(visit));
+    }
+    Task<std::vector<service::Visit>> visits(service::VisitFilter filter) override
+    {
+        return askJournal(&ServiceJournal::visits, std::move(filter));
+    }
+    Task<std::optional<int>> number(service::NumberWish wish) override
+    {
+        return askJournal(&ServiceJournal::number, std::move(wish));
+    }
+};
 
-private:
-    TrialStore &m_store;
-    Mailbox &m_home;
+/// The log of settings.
+class StoredSettings final : public settings::SettingsLog, private StoredBooks {
+public:
+    using StoredBooks::StoredBooks;
+    Task<settings::ParameterSnapshot> keep(settings::ParameterSnapshot snapshot) override
+    {
+        return ask(&SettingsBook::keep, std::move(snapshot));
+    }
+    Task<std::int64_t> begin(settings::SettingsChange change) override
+    {
+        return ask(&SettingsBook::begin, std::move(change));
+    }
+    Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override
+    {
+        return ask(&SettingsBook::complete, number, std::move(values));
+    }
+    Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override
+    {
+        return ask(&SettingsBook::changesOf, std::move(unit));
+    }
 };
 
 } // namespace mb

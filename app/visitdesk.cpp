@@ -7,12 +7,13 @@ namespace mb {
 namespace {
 
 /// Of the newest run on this station, if a unit of it is open still.
-Result<CutRun> cutRunOf(ServiceBook &book, const std::string &recipe, const std::string &hash)
+Result<CutRun> cutRunOf(ServiceBook &book, const std::string &recipe, const std::string &hash, bool simulated)
 {
-    const auto run = book.lastRun(recipe);
+    const auto run = book.lastRun(recipe, simulated);
     if (!run)
         return fail(run.error());
     CutRun cut;
+    cut.simulated = simulated;
     if (run->empty())
         return cut;
     service::VisitFilter filter;
@@ -47,8 +48,10 @@ void VisitDesk::findCut(const service::RecipeMatter &matter, CutFound found)
 {
     m_store.ask<CutRun>(
         m_home,
-        [recipe = matter.recipe.name, hash = matter.hash](
-            Books &books) { return cutRunOf(books.service, recipe, hash); },
+        [recipe = matter.recipe.name, hash = matter.hash](Books &books) {
+            auto cut = cutRunOf(books.service, recipe, hash, false);
+            return cut && !cut->run.empty() ? cut : cutRunOf(books.service, recipe, hash, true);
+        },
         std::move(found));
 }
 

@@ -75,6 +75,11 @@ std::string lineOf(const Error &error, std::string_view verb)
     return causeOf(error) + "; " + helpOf(error, verb);
 }
 
+Error asUsage(const Error &error)
+{
+    return {Fault::Usage, error.detail, Message::verbatim(helpOf(error, {}))};
+}
+
 std::string jsonOf(const Error &error, int status, std::string_view verb)
 {
     const QJsonObject row{

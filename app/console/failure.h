@@ -25,4 +25,7 @@ enum Exit {
 /// The same as `{"error":{"status","fault","cause","remedy"}}`.
 [[nodiscard]] std::string jsonOf(const Error &error, int status, std::string_view verb);
 
+/// Of what is refused before a verb begins: wrong usage, with the remedy that it would have had otherwise.
+[[nodiscard]] Error asUsage(const Error &error);
+
 } // namespace mb::console

@@ -15,23 +15,11 @@
 #include <algorithm>
 
 namespace mb::console {
-namespace {
-
-/// Refused before the verb begins.
-Error keepsNothing(const Error &trouble)
-{
-    Error error = settings::keepsNothing(trouble);
-    error.fault = Fault::Usage;
-    return error;
-}
-
-} // namespace
-
 Result<std::unique_ptr<Database>> openNotebook()
 {
     auto opened = Database::open(databaseFile());
     if (!opened)
-        return fail(Fault::Usage, opened.error().detail, opened.error().remedy);
+        return fail(asUsage(opened.error()));
     if (!(*opened)->remark().empty())
         complain((*opened)->remark());
     return opened;
@@ -122,7 +110,7 @@ Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
         m_console.note("snapshot " + std::to_string(taken->number) + ", " + taken->name + ", has "
             + std::to_string(taken->count) + " values of " + device.selector());
     else if (taken.error().fault == Fault::NotKept)
-        co_return fail(keepsNothing(taken.error()));
+        co_return fail(asUsage(settings::keepsNothing(taken.error())));
     else // it is the unit that does not tell: an update may be what mends it
         m_console.note("no snapshot of what was there: " + taken.error().text());
     co_return {};
@@ -132,7 +120,7 @@ Task<void> Notebook::keepOrRefuse(Device &device, settings::Occasion occasion)
 {
     m_console.onlyAsk();
     if (m_trouble && device.identity().state != DeviceState::Bootloader) // one in its bootloader has nothing to keep
-        co_return fail(keepsNothing(*m_trouble));
+        co_return fail(asUsage(settings::keepsNothing(*m_trouble)));
     noteTrouble();
     auto keeping = keepBefore(device, occasion);
     co_await std::move(keeping);

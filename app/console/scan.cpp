@@ -79,6 +79,7 @@ public:
 
     /// Links that were looked through to the end.
     [[nodiscard]] std::size_t scanned() const { return m_scanned; }
+    [[nodiscard]] bool isCut() const { return m_isCut; }
 
     Event done;
     std::optional<Error> error;
@@ -98,7 +99,6 @@ private:
     {
         if (m_running == 0 || std::exchange(m_isCut, true))
             return;
-        m_console.note("the scan was cut off: it was interrupted before it was done");
         done.set();
     }
     void addThoseOn(const Link &link, std::vector<Device *> &all) const
@@ -221,6 +221,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     const std::vector<Device *> devices = round->devices();
     const std::optional<Error> error = round->error ? round->error : opened.error;
     const bool anyScanned = round->scanned() > 0;
+    const bool isCut = round->isCut();
     round.reset(); // nothing is drawn any more
     for (Link *const link : opened.links)
         noteRemark(console, *link);
@@ -238,6 +239,8 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     } else {
         print(console, devices, units);
     }
+    if (isCut)
+        co_return fail(Fault::Cancelled, say("interrupted before it was done"));
     co_return error && !names.empty() ? console.fails(*error) : exitDone;
 }
 
@@ -249,7 +252,7 @@ Job declareScan(CLI::App &arguments)
     arguments.add_option("link", *links, "Where to look, such as sim: or socketcan:can0");
     const auto everything = std::make_shared<bool>(false);
     arguments.add_flag(
-        "--everything", *everything, "Every rate and every address of serial lines; takes minutes, Ctrl+C ends it");
+        "--everything", *everything, "Every rate and every address; takes minutes on serial lines, Ctrl+C ends it");
     return [links, everything](Console &console) { return scan(console, *links, *everything); };
 }
 

@@ -200,9 +200,10 @@ private:
 };
 
 /// Empty: there is none. Usage where the recipe is not that of the last run any more: what has ended there ended under the other one.
-Result<std::string> runToResume(ServiceBook &book, const service::RecipeMatter &matter)
+Result<std::string> runToResume(ServiceBook &book, const ServicePlan &plan)
 {
-    const auto last = book.lastRun(matter.recipe.name);
+    const service::RecipeMatter &matter = plan.matter;
+    const auto last = book.lastRun(matter.recipe.name, plan.links.front().isSimulated());
     if (!last || last->empty())
         return last;
     service::VisitFilter filter;
@@ -233,7 +234,7 @@ Task<int> serve(Console &console, ServiceArguments a)
     options.station = station;
     options.units = plan->units;
     if (a.resume) {
-        const auto last = runToResume((*desk)->book(), plan->matter);
+        const auto last = runToResume((*desk)->book(), *plan);
         if (!last)
             co_return fail(last.error());
         options.run = *last;

@@ -53,11 +53,6 @@ Signals::~Signals()
 {
     m_notifier.setEnabled(false);
     ::close(m_descriptor);
-    release();
-}
-
-void Signals::release()
-{
     ::sigprocmask(SIG_UNBLOCK, &ending(), nullptr);
 }
 

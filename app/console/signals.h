@@ -14,8 +14,6 @@ public:
     Signals(const Signals &) = delete;
     Signals &operator=(const Signals &) = delete;
     ~Signals();
-    /// They act again as in a new program, for one that takes the place of this.
-    static void release();
 
 private:
     int m_descriptor = -1;

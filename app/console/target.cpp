@@ -56,6 +56,10 @@ Result<Target> parseTarget(const Console &console, std::string_view text)
     auto family = parseFamily(console.families(), selector->family);
     if (!family)
         return fail(family.error());
+    const Capabilities &can = (*family)->capabilities;
+    if (selector->address < can.firstAddress || selector->address > can.lastAddress)
+        return fail(Fault::OutOfRange, say("%1: %2 is out of range", (*family)->key, selector->address),
+            say("legal is %1 … %2", can.firstAddress, can.lastAddress));
     for (const LinkAddress &link : expandLink(selector->link, console.families())) {
         if (!serves(**family, kindOf(link)))
             continue;

@@ -18,7 +18,7 @@ struct Target {
     const Family *family = nullptr;
 };
 
-/// OutOfRange: not a selector, an unknown family, or one that is not found on this kind of link.
+/// OutOfRange: not a selector, an unknown family, an address that none of it has, or one that is not found on this kind of link.
 [[nodiscard]] Result<Target> parseTarget(const Console &console, std::string_view text);
 [[nodiscard]] Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key);
 [[nodiscard]] bool serves(const Family &family, LinkKind kind);

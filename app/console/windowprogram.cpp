@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/windowprogram.h"
 
-#include "app/console/signals.h"
-
 #include <QCoreApplication>
 
 #include <cerrno>
@@ -21,7 +19,6 @@ Error becomeWindow(std::vector<std::string> words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
     ::setenv("QT_LOGGING_RULES", "*.warning=false", 1); // what the toolkit grumbles about is no word of ours
-    Signals::release();
     ::execv(program.c_str(), pointers.data());
     return {Fault::OutOfRange, say("%1 cannot be run: %2", program, std::strerror(errno)),
         say("both programs must be in one folder")};

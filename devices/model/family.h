@@ -41,7 +41,8 @@ struct Capabilities {
     bool outputOptions = true; ///< ramp, brake, direction and limits of a SetPoint mean something
     /// Device::setRate() changes nothing that anybody else relies on: the device is asked more often, or sends to us alone.
     bool freeRates = true;
-    int lastAddress = 63;   ///< renumber: 1 … this
+    int firstAddress = 0;   ///< nobody has a lower one
+    int lastAddress = 63;   ///< nor a higher one; renumber: 1 … this
     int lastFollowed = 255; ///< Mode::Follow: the number of the device to follow is 1 … this
     bool commandsProfile
         = false; ///< SetPoint::velocity and acceleration are the profile of RampPosition and RampVelocity
@@ -178,6 +179,8 @@ public:
     virtual ~ScanSink() = default;
     virtual void found(const Identity &identity) = 0;
     virtual void progress(const Message &what, int done, int total) = 0;
+    /// What of this family such a scan does not find, and what helps.
+    virtual void leftOut(const Message &) { }
     /// Who answered on this link in an earlier scan, perhaps of an earlier run, and whom somebody has named now (his address,
     /// no more): asked first, where a scan takes long.
     [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }

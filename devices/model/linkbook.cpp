@@ -111,6 +111,13 @@ void LinkBook::remark(const Link &link)
         m_remarked.notify(link, text);
 }
 
+void LinkBook::remark(const Link &link, const Message &text)
+{
+    const auto entry = std::ranges::find(m_links, &link, [](const Entry &each) { return each.link.get(); });
+    if (entry != m_links.end() && std::exchange(entry->remark, text) != text)
+        m_remarked.notify(link, text);
+}
+
 void LinkBook::close(Link &link)
 {
     link.close(); // whoever knows it by its place in memory hears that it has gone

@@ -49,7 +49,9 @@ public:
     [[nodiscard]] Listeners<Link &> &lost() { return m_lost; }
     /// A batch of what a link has received was handed out.
     [[nodiscard]] Listeners<> &batchEnded() { return m_batchEnded; }
-    /// A link was opened, and its user should know something about it, told in one clause.
+    /// Its user should know something about a link, told in one clause.
+    void remark(const Link &link, const Message &text);
+    /// A link was opened, or scanned, and its user should know something about it; the same is not told twice on end.
     [[nodiscard]] Listeners<const Link &, const Message &> &remarked() { return m_remarked; }
     /// Links came, went or changed.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
@@ -61,6 +63,7 @@ private:
         Subscription state;
         Subscription batch;
         std::unique_ptr<Scope> opening; ///< again
+        Message remark;                 ///< the last
     };
     [[nodiscard]] Result<Entry> make(const LinkAddress &address);
     Link &enlist(Entry made);

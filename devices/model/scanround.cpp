@@ -18,6 +18,11 @@ struct ScanRound::Sink final : ScanSink {
         if (round.m_options.progress)
             round.m_options.progress(what, passed, total);
     }
+    void leftOut(const Message &what) override
+    {
+        if (!round.m_named)
+            round.m_around.leftOut(what);
+    }
     [[nodiscard]] std::vector<Identity> remembered() const override
     {
         std::vector<Identity> all = round.m_around.remembered(family);

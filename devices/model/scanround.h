@@ -32,6 +32,7 @@ public:
         std::function<Device &(const Family &, const Identity &, const std::vector<Device *> &)> adopt;
         std::function<std::vector<Identity>(const Family &)> remembered;
         std::function<std::vector<Identity>(const Family &)> known;
+        std::function<void(const Message &)> leftOut; ///< unless only one is looked for
         std::function<void(const std::vector<Device *> &, bool complete)> ended;
     };
 

@@ -59,6 +59,7 @@ ScanRound::Surroundings Session::aroundScan(Link &link)
         },
         [this, &link](const Family &family) { return m_memory.seenOn(link, family); },
         [this, &link](const Family &family) { return m_devices.known(link, family); },
+        [this, &link](const Message &what) { m_links.remark(link, what); },
         [this, &link](const std::vector<Device *> &seen, bool complete) { m_memory.remember(link, seen, complete); }};
 }
 
@@ -114,7 +115,7 @@ Task<Device *> Session::connect(DeviceSelector selector)
     auto looking = recording ? overhear(*recording) : ask(*link, selector);
     const std::vector<Device *> seen = co_await std::move(looking);
     std::vector<Device *> fitting;
-    const Device *other = nullptr; // of that number, of another session
+    std::vector<const Device *> others; // of that number, of another session
     for (Device *device : seen) {
         const Identity &identity = device->identity();
         if (identity.family != selector.family || identity.address != selector.address)
@@ -122,11 +123,12 @@ Task<Device *> Session::connect(DeviceSelector selector)
         if (!selector.session || identity.session == selector.session)
             fitting.push_back(device);
         else
-            other = device;
+            others.push_back(device);
     }
-    if (fitting.empty() && other)
-        co_return fail(
-            Fault::Timeout, say("number %1 has another session", selector.address), say("it is %1", other->selector()));
+    if (fitting.empty() && !others.empty())
+        co_return fail(Fault::Timeout, say("number %1 has another session", selector.address),
+            others.size() == 1 ? say("it is %1", others[0]->selector())
+                               : say("name one: %1 or %2", others[0]->selector(), others[1]->selector()));
     if (fitting.empty())
         co_return fail(nobody(selector, recording));
     if (fitting.size() > 1)

@@ -49,7 +49,7 @@ public:
     Result<Recipe> read(const QJsonObject &object)
     {
         expect(object, {}, {"recipe", "name", "family", "firmware", "parameters", "number", "test"});
-        if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
+        if (number(object, {}, "recipe", -anyNumber, anyNumber).value_or(0.0) != 1.0)
             wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
         m_recipe.name = text(object, {}, "name");
         const QString name = qt(m_recipe.name);
@@ -102,12 +102,13 @@ private:
         const QJsonValue value = object.value(QLatin1String(key));
         if (value.isUndefined())
             return std::nullopt;
-        if (!value.isDouble() || value.toDouble() < low || value.toDouble() > high) {
-            wrong(pathOf(path, key), say("'%1' must be a number", key),
-                high >= anyNumber ? Message() : say("from %1 to %2", low, high));
-            return std::nullopt;
-        }
-        return value.toDouble();
+        if (!value.isDouble())
+            wrong(pathOf(path, key), say("'%1' must be a number", key));
+        else if (value.toDouble() < low || value.toDouble() > high)
+            wrong(pathOf(path, key), say("%1: legal is %2 … %3", key, low, high));
+        else
+            return value.toDouble();
+        return std::nullopt;
     }
     int whole(const QJsonObject &object, const std::string &path, const char *key, int low, int high, int otherwise)
     {

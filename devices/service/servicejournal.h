@@ -17,6 +17,7 @@ struct NumberWish {
     int first = 1;
     int last = 63;       ///< of the family
     std::set<int> taken; ///< by others that are connected now
+    bool simulated = false;
 };
 
 /// Which visits are meant; what is empty, or nothing, leaves it open.
@@ -29,6 +30,7 @@ struct VisitFilter {
     std::string serial;
     std::optional<double> since; ///< Unix, s
     std::optional<Outcome> outcome;
+    std::optional<bool> simulated;
 };
 
 /// Where every unit is written down. Thread of the session; whoever implements it waits for disk and server in a thread of its

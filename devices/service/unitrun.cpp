@@ -327,6 +327,7 @@ Task<Message> UnitRun::test()
     passed.recipe = m_visit.recipe;
     passed.recipeHash = m_visit.recipeHash;
     passed.outcome = Outcome::Passed;
+    passed.simulated = m_visit.simulated;
     auto asking = m_around.journal.visits(passed);
     const Result<std::vector<Visit>> others = co_await std::move(asking).attempt();
     const Message unusual = others ? markUnusual(finding.values, *others) : Message();
@@ -345,7 +346,7 @@ Task<int> UnitRun::reserve()
 {
     const Family &family = m_device.family();
     NumberWish wish{numberScopeOf(m_visit), numberOwnerOf(m_visit), m_visit.id, m_around.matter.recipe.number->first,
-        family.capabilities.lastAddress, m_around.taken};
+        family.capabilities.lastAddress, m_around.taken, m_visit.simulated};
     bool hasWaited = false;
     for (;;) {
         auto asking = m_around.journal.number(wish);

@@ -54,7 +54,7 @@ Ending endingFromString(std::string_view text)
 
 std::string numberScopeOf(const Visit &visit)
 {
-    return visit.family + ' ' + visit.recipe;
+    return (visit.simulated ? "simulated " : "") + visit.family + ' ' + visit.recipe;
 }
 
 std::string numberOwnerOf(const Visit &visit)

@@ -89,7 +89,7 @@ struct Visit {
     friend bool operator==(const Visit &, const Visit &) = default;
 };
 
-/// Numbers are given once in it: "dmc60c drive-base rev C".
+/// Numbers are given once in it: "dmc60c drive-base rev C"; simulated units have numbers of their own.
 [[nodiscard]] std::string numberScopeOf(const Visit &visit);
 /// Who a number is given to: Visit::unit, or Visit::id of one known by its place.
 [[nodiscard]] std::string numberOwnerOf(const Visit &visit);

@@ -204,8 +204,21 @@ constexpr const char *ninthSchema = R"(
 ALTER TABLE service_visit ADD COLUMN unproved BIGINT NOT NULL DEFAULT 0;
 )";
 
+/// What each server of a shared journal has; what was delivered before may be so again. Which program has begun a run of a queue.
+constexpr const char *tenthSchema = R"(
+DROP TABLE service_delivery;
+CREATE TABLE service_delivery (
+    visit TEXT NOT NULL,
+    server TEXT NOT NULL,
+    revision INTEGER NOT NULL,
+    PRIMARY KEY (visit, server)) WITHOUT ROWID;
+CREATE TABLE service_run (
+    run TEXT PRIMARY KEY,
+    program TEXT NOT NULL) WITHOUT ROWID;
+)";
+
 constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema,
-    seventhSchema, eighthSchema, ninthSchema};
+    seventhSchema, eighthSchema, ninthSchema, tenthSchema};
 constexpr std::array journalVersions{fifthSchema, sixthSchema, ninthSchema};
 
 } // namespace

@@ -46,13 +46,17 @@ Result<ServerAddress> ServerAddress::parse(const std::string &url)
         return badUrl(url);
     server.database = rest.substr(slash + 1);
     std::string host = rest.substr(0, slash);
-    if (const auto colon = host.rfind(':'); colon != std::string::npos) {
+    const auto bracket = host.rfind(']'); // colons before it are of an address such as [::1]
+    if (const auto colon = host.rfind(':');
+        colon != std::string::npos && (bracket == std::string::npos || colon > bracket)) {
         const auto port = wholeFrom<int>(host.substr(colon + 1));
         if (!port || *port < 1 || *port > 65535)
             return badUrl(url);
         server.port = *port;
         host.erase(colon);
     }
+    if (host.starts_with('[') && host.ends_with(']'))
+        host = host.substr(1, host.size() - 2);
     server.host = QUrl::fromPercentEncoding(QByteArray::fromStdString(host)).toStdString();
     if (server.host.empty())
         return badUrl(url);

@@ -2,6 +2,7 @@
 #include "storage/servicebook.h"
 
 #include "files/qttext.h"
+#include "files/runningprogram.h"
 #include "storage/sqltext.h"
 
 #include <QSqlQuery>
@@ -26,11 +27,24 @@ double ServiceBook::now() const
     return std::chrono::duration<double>(m_clock.now().time_since_epoch() + m_clock.unixOffset()).count();
 }
 
-Result<Visit> ServiceBook::put(Visit visit, std::int64_t revision)
+/// In one transaction: a note that another program adds meanwhile is lost by nobody.
+Result<Visit> ServiceBook::put(Visit visit, bool isNew)
 {
     for (service::StepEntry &entry : visit.steps)
         entry.time = entry.time > 0.0 ? entry.time : now();
-    if (auto kept = putVisits(m_database, {{visit, revision}}); !kept)
+    auto kept = m_database.transact([&]() -> Result<void> {
+        if (isNew) {
+            auto begun = m_database.run(
+                "INSERT OR REPLACE INTO service_run (run, program) VALUES (?, ?)", {qt(visit.run), qt(thisProgram())});
+            return begun ? putVisit(m_database, {visit, 1}) : begun;
+        }
+        const auto known = getVisit(m_database, visit.id);
+        if (!known)
+            return fail(known.error());
+        visit.note = visit.note.empty() ? known->visit.note : visit.note;
+        return putVisit(m_database, {visit, known->revision + 1});
+    });
+    if (!kept)
         return fail(kept.error());
     return visit;
 }
@@ -41,16 +55,12 @@ Task<Visit> ServiceBook::open(Visit visit)
     visit.time = now();
     visit.person = m_person;
     visit.station = visit.station.empty() ? m_station : visit.station;
-    co_return put(std::move(visit), 1);
+    co_return put(std::move(visit), true);
 }
 
 Task<Visit> ServiceBook::write(Visit visit)
 {
-    const auto known = getVisit(m_database, visit.id);
-    if (!known)
-        co_return fail(known.error());
-    visit.note = visit.note.empty() ? known->visit.note : visit.note; // somebody may have added it meanwhile
-    co_return put(std::move(visit), known->revision + 1);
+    co_return put(std::move(visit), false);
 }
 
 Result<std::vector<Visit>> ServiceBook::list(const VisitFilter &filter)
@@ -91,22 +101,29 @@ Task<std::optional<int>> ServiceBook::number(NumberWish wish)
 
 Result<void> ServiceBook::setNote(const std::string &visit, const std::string &note)
 {
-    auto known = getVisit(m_database, visit);
-    if (!known)
-        return fail(known.error());
-    known->visit.note = note;
-    ++known->revision;
-    return putVisits(m_database, {*known});
+    auto set = m_database.run(
+        "UPDATE service_visit SET note = ?, revision = revision + 1 WHERE id = ?", {qt(note), qt(visit)});
+    if (set && m_database.changed() == 0)
+        return fail(getVisit(m_database, visit).error());
+    return set;
 }
 
-Result<std::string> ServiceBook::lastRun(const std::string &recipe)
+Result<std::string> ServiceBook::lastRun(const std::string &recipe, bool simulated)
 {
     std::string run;
+    std::string program;
     auto read
-        = m_database.run("SELECT run FROM service_visit WHERE recipe = ? AND station = ? ORDER BY rowid DESC LIMIT 1",
-            {qt(recipe), qt(m_station)}, [&run](const QSqlQuery &row) { run = textAt(row, 0); });
+        = m_database.run("SELECT run, program FROM service_visit LEFT JOIN service_run USING (run) "
+                         "WHERE recipe = ? AND station = ? AND simulated = ? ORDER BY service_visit.rowid DESC LIMIT 1",
+            {qt(recipe), qt(m_station), simulated ? 1 : 0}, [&](const QSqlQuery &row) {
+                run = textAt(row, 0);
+                program = textAt(row, 1);
+            });
     if (!read)
         return fail(read.error());
+    if (isAnotherRunning(program))
+        return fail(Fault::Refused, say("the last run of %1 was begun by another program, which still runs", recipe),
+            say("end that first"));
     return run;
 }
 

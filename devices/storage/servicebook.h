@@ -26,15 +26,15 @@ public:
     /// A note of the operator on an entry.
     [[nodiscard]] Result<void> setNote(const std::string &visit, const std::string &note);
     /// Name of the last run of this recipe on this station, to be resumed; empty: there is none. The last that was written down,
-    /// whatever the clock of the computer said.
-    [[nodiscard]] Result<std::string> lastRun(const std::string &recipe);
+    /// whatever the clock of the computer said. Refused while another program that has begun it still runs.
+    [[nodiscard]] Result<std::string> lastRun(const std::string &recipe, bool simulated);
 
     [[nodiscard]] Database &database() const { return m_database; }
     [[nodiscard]] const std::string &station() const { return m_station; }
     [[nodiscard]] double now() const;
 
 private:
-    [[nodiscard]] Result<service::Visit> put(service::Visit visit, std::int64_t revision);
+    [[nodiscard]] Result<service::Visit> put(service::Visit visit, bool isNew);
 
     Database &m_database;
     const Clock &m_clock;

@@ -75,14 +75,14 @@ Task<void> SharedJournal::deliver()
 {
     for (;;) {
         m_isBehind = false;
-        const auto batch = undelivered(m_book.database(), batchSize);
+        const auto batch = undelivered(m_book.database(), m_server.url(), batchSize);
         if (!batch)
             co_return fail(batch.error());
         if (batch->empty())
             co_return {};
         auto delivering = deliverBatch(*batch);
         co_await std::move(delivering);
-        if (auto marked = markDelivered(m_book.database(), *batch); !marked)
+        if (auto marked = markDelivered(m_book.database(), m_server.url(), *batch); !marked)
             co_return fail(marked.error());
         m_changed.notify();
     }
@@ -161,6 +161,10 @@ Task<std::optional<int>> SharedJournal::recalled(NumberWish wish, std::string he
 
 Task<std::optional<int>> SharedJournal::number(NumberWish wish)
 {
+    if (wish.simulated) {
+        auto own = m_book.number(std::move(wish));
+        co_return co_await std::move(own);
+    }
     SqlConnection &sql = m_book.database();
     NumberWish local = wish;
     local.scope = hereOf(wish.scope);
@@ -204,7 +208,7 @@ Task<std::optional<int>> SharedJournal::number(NumberWish wish)
 
 int SharedJournal::waiting() const
 {
-    return countUndelivered(m_book.database()).value_or(0);
+    return countUndelivered(m_book.database(), m_server.url()).value_or(0);
 }
 
 } // namespace mb

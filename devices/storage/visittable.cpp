@@ -150,14 +150,18 @@ Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &res
 
 } // namespace
 
+Result<void> putVisit(SqlConnection &sql, const KeptVisit &kept)
+{
+    auto put = sql.run(putStatement().c_str(), visitValues(kept));
+    return put ? putSteps(sql, kept.visit) : put;
+}
+
 Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits)
 {
     return sql.transact([&]() -> Result<void> {
         for (const KeptVisit &kept : visits) {
-            if (auto put = sql.run(putStatement().c_str(), visitValues(kept)); !put)
+            if (auto put = putVisit(sql, kept); !put)
                 return put;
-            if (auto steps = putSteps(sql, kept.visit); !steps)
-                return steps;
         }
         return {};
     });
@@ -182,6 +186,8 @@ Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::Visi
         add("time >= ?", *filter.since);
     if (filter.outcome)
         add("outcome = ?", qt(toString(*filter.outcome)));
+    if (filter.simulated)
+        add("simulated = ?", *filter.simulated ? 1 : 0);
     return select(sql, where + " ORDER BY time, id", values);
 }
 
@@ -195,33 +201,37 @@ Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id)
     return std::move(found->front());
 }
 
-Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, int most)
+namespace {
+
+/// Simulated units concern nobody else.
+constexpr const char *notAt = "WHERE simulated = 0 AND NOT EXISTS (SELECT 1 FROM service_delivery WHERE "
+                              "service_delivery.visit = service_visit.id AND "
+                              "service_delivery.revision = service_visit.revision AND service_delivery.server = ?)";
+
+} // namespace
+
+Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, const std::string &server, int most)
 {
-    return select(sql,
-        "WHERE NOT EXISTS (SELECT 1 FROM service_delivery WHERE service_delivery.visit = service_visit.id AND "
-        "service_delivery.revision = service_visit.revision) ORDER BY time, id LIMIT ?",
-        {most});
+    return select(sql, std::string(notAt) + " ORDER BY time, id LIMIT ?", {qt(server), most});
 }
 
-Result<int> countUndelivered(SqlConnection &sql)
+Result<int> countUndelivered(SqlConnection &sql, const std::string &server)
 {
     int count = 0;
-    auto counted = sql.run("SELECT count(*) FROM service_visit WHERE NOT EXISTS (SELECT 1 FROM service_delivery WHERE "
-                           "service_delivery.visit = service_visit.id AND service_delivery.revision = "
-                           "service_visit.revision)",
-        {}, [&count](const QSqlQuery &row) { count = row.value(0).toInt(); });
+    auto counted = sql.run(("SELECT count(*) FROM service_visit " + std::string(notAt)).c_str(), {qt(server)},
+        [&count](const QSqlQuery &row) { count = row.value(0).toInt(); });
     if (!counted)
         return fail(counted.error());
     return count;
 }
 
-Result<void> markDelivered(SqlConnection &sql, const std::vector<KeptVisit> &visits)
+Result<void> markDelivered(SqlConnection &sql, const std::string &server, const std::vector<KeptVisit> &visits)
 {
     return sql.transact([&]() -> Result<void> {
         for (const KeptVisit &kept : visits) {
-            auto marked = sql.run("INSERT INTO service_delivery (visit, revision) VALUES (?, ?) ON CONFLICT (visit) DO "
-                                  "UPDATE SET revision = excluded.revision",
-                {qt(kept.visit.id), static_cast<qlonglong>(kept.revision)});
+            auto marked = sql.run("INSERT INTO service_delivery (visit, server, revision) VALUES (?, ?, ?) "
+                                  "ON CONFLICT (visit, server) DO UPDATE SET revision = excluded.revision",
+                {qt(kept.visit.id), qt(server), static_cast<qlonglong>(kept.revision)});
             if (!marked)
                 return marked;
         }

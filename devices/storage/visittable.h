@@ -15,15 +15,19 @@ struct KeptVisit {
     std::int64_t revision = 0;
 };
 
-/// In place of what was kept under its id, unless that is newer: the same again changes nothing. In one transaction.
+/// In place of what was kept under its id, unless that is newer: the same again changes nothing. Inside a transaction.
+[[nodiscard]] Result<void> putVisit(SqlConnection &sql, const KeptVisit &kept);
+/// All of them, in one transaction.
 [[nodiscard]] Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits);
 /// Oldest first, with their steps.
 [[nodiscard]] Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::VisitFilter &filter);
 [[nodiscard]] Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id);
 
-/// Those that a server has not got yet, or not as they are now, oldest first; at most so many.
-[[nodiscard]] Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, int most);
-[[nodiscard]] Result<int> countUndelivered(SqlConnection &sql);
-[[nodiscard]] Result<void> markDelivered(SqlConnection &sql, const std::vector<KeptVisit> &visits);
+/// Those that this server, named by its url, has not got yet, or not as they are now, oldest first; at most so many. None of
+/// simulated units.
+[[nodiscard]] Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, const std::string &server, int most);
+[[nodiscard]] Result<int> countUndelivered(SqlConnection &sql, const std::string &server);
+[[nodiscard]] Result<void> markDelivered(
+    SqlConnection &sql, const std::string &server, const std::vector<KeptVisit> &visits);
 
 } // namespace mb

@@ -132,13 +132,6 @@ class Service(Recipes):
         self.assert_error(2, "journal", "--since", "yesterday", says="--since")
         self.assert_error(2, "journal", "--export", "journal.txt", says=".csv")
 
-    def test_without_a_server_entries_wait_here(self):
-        run = Run(["--json", "service", self.recipe(), "sim:can", "--journal", "postgresql://nobody@%2Fnowhere/none"])
-        self.assertEqual(run.status, 1, run.err) # the unit in its bootloader is refused
-        self.assertEqual(run.objects()[-1]["summary"]["passed"], 2)
-        self.assertIn("wait on this computer", run.err)
-        self.assertEqual(len(self.run_one("journal")["entries"]), 3)
-
     @contract.long
     def test_resume_goes_on_where_it_was_killed(self):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"}, number={"first": 20})
@@ -221,6 +214,19 @@ class Families(Recipes):
         for unit in lines[:-1]:
             self.assertEqual((unit["result"], unit["step"], unit["serial"]), ("passed", "done", None))
         return lines[:-1]
+
+    def test_without_a_server_entries_wait_here_but_those_of_simulated_units(self):
+        server = ("--journal", "postgresql://nobody@%2Fnowhere/none")
+        run = Run(["--json", "service", self.recipe(), "sim:can", *server])
+        self.assertEqual(run.status, 1, run.err) # the unit in its bootloader is refused
+        self.assertEqual(run.objects()[-1]["summary"]["passed"], 2)
+        self.assertNotIn("wait on this computer", run.err)
+        socket = os.path.join(self.folder.name, "board")
+        self.simulate("--on", "unix:" + socket, "quadquad2drv:0")
+        run = Run(["--json", "service", self.recipe(family="quadquad2drv"), "unix:" + socket, *server])
+        self.passed(run, 1)
+        self.assertIn("1 entries wait on this computer", run.err)
+        self.assertEqual(len(self.run_one("journal")["entries"]), 4)
 
     def test_three_supermodified_by_avrdude(self):
         environment = self.stand_in("avrdude", AVRDUDE)

@@ -74,7 +74,7 @@ class Usage(ContractTest):
 
     def test_wrong_devices_are_wrong_usage(self):
         for device in ("5", "dmc60c:5", "sim:can/dmc60c", "sim:can/dmc60c:", "sim:can/dmc60c:x", "sim:can/dmc60c:-1", "sim:can/:5", "sim:can/dmc60c:5@xyz",
-                       "sim:serial/dmc60c:5"):
+                       "sim:serial/dmc60c:5", "sim:can/dmc60c:64", "sim:can/abstractdc:100", "sim:serial/supermodified:0", "sim:serial/supermodified:128", "sim:spi/quadquad2drv:1"):
             self.assert_error(2, "info", device)
         self.assert_error(2, "info", "sim:can/dmc60d:5", says="did you mean dmc60c?")
         self.assert_error(2, "parameters", "frobnicator", says="dmc60c")

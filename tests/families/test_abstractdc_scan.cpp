@@ -16,6 +16,8 @@ namespace {
 struct FoundUnit final : ScanSink {
     void found(const Identity &identity) override { rows[identity.address] = identity; }
     void progress(const Message &, int, int) override { }
+    void leftOut(const Message &) override { isWhole = false; }
+    [[nodiscard]] ScanExtent extent() const override { return howFar; }
     [[nodiscard]] std::vector<Identity> remembered() const override
     {
         Identity identity;
@@ -23,6 +25,8 @@ struct FoundUnit final : ScanSink {
         return named >= 0 ? std::vector{identity} : std::vector<Identity>();
     }
     int named = -1;
+    ScanExtent howFar = ScanExtent::Quick;
+    bool isWhole = true;
     [[nodiscard]] std::string text() const
     {
         std::string all;
@@ -37,10 +41,11 @@ struct FoundUnit final : ScanSink {
 class AbstractDcScan : public Drives {
 protected:
     using Drives::Drives;
-    std::string scanned(int named = -1)
+    std::string scanned(int named = -1, ScanExtent extent = ScanExtent::Quick)
     {
         FoundUnit sink;
         sink.named = named;
+        sink.howFar = extent;
         std::vector<std::string> sent;
         const Subscription tap = host.traffic().add([&](const Traffic &traffic) {
             if (traffic.direction == Direction::Sent)
@@ -54,10 +59,12 @@ protected:
             EXPECT_TRUE((frame[0] == '3' && frame.size() == 6) && (frame.substr(0, 3) >= "320"))
                 << frame << " is no log request";
         last = sink.rows;
+        isWhole = sink.isWhole;
         return sink.text();
     }
     Duration took{};
     std::map<int, Identity> last;
+    bool isWhole = true;
 };
 
 TEST_F(AbstractDcScan, NobodyIsFoundOnAnEmptyBus)
@@ -72,6 +79,7 @@ TEST_F(AbstractDcScan, TellsTheDialectsApart)
         {"abstractdc:3,dialect=F", "abstractdc:4,dialect=L", "abstractdc:5,dialect=D", "abstractdc:9,dialect=LL"})
         add(unit);
     EXPECT_EQ(scanned(), "3:F 4:L 5:D 9:LL ");
+    EXPECT_TRUE(isWhole);
     EXPECT_LE(took, 500ms);
     EXPECT_NE(last.at(3).detail.english().find("firmware's codes, not the document's"), std::string::npos);
     for (const auto &[offset, identity] : last)
@@ -90,7 +98,10 @@ TEST_F(AbstractDcSlowLine, OneOfTheOldestIsAskedForWhenItIsNamedThoughTheLineIsT
 {
     add("abstractdc:9,dialect=LL");
     EXPECT_EQ(scanned(), "");
+    EXPECT_FALSE(isWhole) << "and whoever looks is told";
     EXPECT_EQ(scanned(9), "9:LL ");
+    EXPECT_EQ(scanned(-1, ScanExtent::Everything), "9:LL ");
+    EXPECT_TRUE(isWhole);
 }
 
 /// This program's own pollers ask for logs whose answers come where another dialect would answer the scan's questions.

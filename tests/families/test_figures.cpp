@@ -95,10 +95,10 @@ TEST(FamilyFigures, WhatADeviceCan)
         "0, axes 1, slots 1, period 20, limit 250, stores 0, scan 30000, last 127 255");
     EXPECT_EQ(capabilitiesOf(familyNamed("abstractdc")),
         "keeps options free-rates | first power 0, supply 0, profile 0 0, axes 1, slots 1, period 20, limit 250, "
-        "stores 0, scan 500, last 63 255");
+        "stores 0, scan 500, last 99 255");
     EXPECT_EQ(capabilitiesOf(familyNamed("quadquad2drv")),
         "readback version restart free-rates profile | first power 0.25, supply 0, profile 100000 1e+06, axes 4, slots "
-        "1, period 50, limit 250, stores 0, scan 500, last 63 255");
+        "1, period 50, limit 250, stores 0, scan 500, last 0 255");
 }
 
 TEST(FamilyFigures, WhatATrialMustKnow)

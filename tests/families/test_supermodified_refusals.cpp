@@ -118,6 +118,27 @@ TEST_F(SupermodifiedRefusals, ANodeThatLosesItsSupplyAfterItsMotionFailedHasRest
     EXPECT_TRUE(device->liveness().restarted);
 }
 
+TEST(SupermodifiedRestarts, BetweenTwoQuestionsEndTheStream)
+{
+    for (const SetPoint &move :
+        {setPoint(Mode::Velocity, 200.0), setPoint(Mode::Position, 3000.0), ramp(3000.0, 2000.0, 4000.0)}) {
+        for (int moment = 0; moment < 12; ++moment) {
+            Bench bench;
+            Simulator &node = bench.add("supermodified:4");
+            const auto device = bench.connect(4);
+            bench.clock.advance(200ms);
+            SetPointStream stream(*device, bench.clock);
+            ASSERT_TRUE(stream.start(move, 60s));
+            bench.clock.advance(2s + moment * 1ms);
+            ASSERT_TRUE(stream.isRunning());
+            node.setPowered(false);
+            node.setPowered(true);
+            bench.clock.advance(500ms);
+            EXPECT_FALSE(stream.isRunning()) << toString(move.mode) << ' ' << moment;
+        }
+    }
+}
+
 TEST_F(SupermodifiedRefusals, AMotorThatStalledIsNotDrivenAnyMore)
 {
     order(setPoint(Mode::Velocity, 100.0), 300ms);

@@ -143,6 +143,10 @@ TEST(Session, WantsTheSessionWhereANumberIsTakenTwice)
         found.insert(*connected);
     }
     EXPECT_EQ(found.size(), 2U);
+    const auto third = connect(bench, "sim:can?fault=duplicate/dmc60c:5@0001");
+    ASSERT_FALSE(third);
+    for (const Device *device : found)
+        EXPECT_NE(third.error().text().find(device->selector()), std::string::npos) << "it may be either of them";
 }
 
 class Driven : public testing::Test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The journal in a file that is damaged, full, not to be written, or shared by two programs.
 #include "files/qttext.h"
+#include "files/runningprogram.h"
 #include "servicebench.h"
 #include "storage/sharedjournal.h"
 #include "support/fulldisk.h"
@@ -49,8 +50,53 @@ TEST_F(JournalFiles, TheLastRunIsTheOneThatWasWrittenDownLastWhateverTheClockSai
         visit.station = "bench 1";
         visit.time = time;
         ASSERT_TRUE(putVisits(*books.database, {{visit, 1}}));
+        visit.id += " simulated";
+        visit.run = visit.id;
+        visit.simulated = true;
+        ASSERT_TRUE(putVisits(*books.database, {{visit, 1}}));
     }
-    EXPECT_EQ(books.journal->lastRun("rev C").value_or("none"), "second");
+    EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "second");
+    EXPECT_EQ(books.journal->lastRun("rev C", true).value_or("none"), "second simulated");
+}
+
+TEST_F(JournalFiles, ARunOfAProgramThatStillRunsIsNotThereToBeResumed)
+{
+    (void)opened(*books.journal, "a");
+    EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "run") << "this program may";
+    ASSERT_TRUE(
+        books.database->run("UPDATE service_run SET program = ?", {qt(programOf(std::to_string(::getppid())))}));
+    const auto living = books.journal->lastRun("rev C", false);
+    ASSERT_FALSE(living);
+    EXPECT_EQ(living.error().fault, Fault::Refused);
+    ASSERT_TRUE(books.database->run("UPDATE service_run SET program = '1:2'"));
+    EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "run") << "that one has ended";
+}
+
+TEST_F(JournalFiles, ANoteThatIsMadeWhileAnotherProgramWritesTheEntryKeepsItAndIsKept)
+{
+    constexpr int times = 100;
+    const Visit visit = opened(*books.journal, "a");
+    std::thread other([&] {
+        auto database = Database::open(books.path("motorbench.db"));
+        ASSERT_TRUE(database) << database.error().text();
+        const VirtualClock time;
+        ServiceBook book(**database, time, "bench 1", "bob");
+        for (int i = 0; i < times; ++i) {
+            ASSERT_TRUE(book.setNote(visit.id, "note " + std::to_string(i)));
+        }
+    });
+    for (int i = 0; i < times; ++i) {
+        Visit written = visit;
+        written.seconds = i;
+        EXPECT_TRUE(test::run(clock, books.journal->write(written)));
+    }
+    other.join();
+    const auto kept = getVisit(*books.database, visit.id);
+    ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(kept->revision, 1 + 2 * times) << "each has counted";
+    EXPECT_EQ(kept->visit.seconds, times - 1);
+    EXPECT_EQ(kept->visit.note, "note 99");
+    EXPECT_FALSE(books.journal->setNote("nobody", "note"));
 }
 
 TEST_F(JournalFiles, AUnitKeepsItsNumberOnlyWhileItIsFreeAndWithinWhatIsWished)

@@ -145,7 +145,8 @@ TEST(Recipes, EveryMistakeHasItsLine)
     EXPECT_EQ(
         mistakeIn(whole, "\"encoder\": true", "\"encoder\": 4096"), "line 15: 'encoder' is true: it counts both ways");
     EXPECT_EQ(mistakeIn(whole, "\"dmc60c\"", "\"dmc60\"").substr(0, 31), "line 4: unknown family 'dmc60';");
-    EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"first\": 64"), "line 7: 'first' must be a number; from 1 to 63");
+    EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"first\": 64"), "line 7: first: legal is 1 … 63");
+    EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"first\": \"10\""), "line 7: 'first' must be a number");
     EXPECT_EQ(mistakeIn(whole, "\"velocity\"", "\"torque\"").substr(0, 28), "line 9: unknown loop 'torque");
     EXPECT_EQ(mistakeIn(whole, "\"number\"", "\"name\"").substr(0, 41), "line 7: the key 'name' is there twice");
     EXPECT_EQ(

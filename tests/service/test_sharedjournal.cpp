@@ -106,11 +106,32 @@ TEST_P(JournalTables, KeepEverythingOfAVisitAndAnOlderWriteChangesNothing)
     filter.recipe = later.recipe;
     filter.serial = "A";
     EXPECT_EQ(getVisits(*sql, filter)->size(), 1U);
-    EXPECT_EQ(*countUndelivered(*sql), 2);
-    ASSERT_TRUE(markDelivered(*sql, {{later, 2}}));
-    EXPECT_EQ(*countUndelivered(*sql), 2); // it was written again meanwhile
-    ASSERT_TRUE(markDelivered(*sql, {{later, 3}}));
-    EXPECT_EQ(undelivered(*sql, 10)->front().visit.id, "B");
+    Visit simulated = visitOf("C", 300.0);
+    simulated.simulated = true;
+    ASSERT_TRUE(putVisits(*sql, {{simulated, 1}}));
+    filter = {};
+    filter.simulated = true;
+    EXPECT_EQ(getVisits(*sql, filter)->size(), 1U);
+    filter.simulated = false;
+    EXPECT_EQ(getVisits(*sql, filter)->size(), 2U);
+}
+
+TEST(Stations, WaitForEachServerByItselfAndHaveNothingOfSimulatedUnitsForIt)
+{
+    const VirtualClock clock;
+    const test::ServiceBooks books(clock);
+    Database &sql = *books.database;
+    const Visit first = visitOf("A", 100.0);
+    Visit simulated = visitOf("C", 300.0);
+    simulated.simulated = true;
+    ASSERT_TRUE(putVisits(sql, {{first, 3}, {visitOf("B", 200.0), 1}, {simulated, 1}}));
+    EXPECT_EQ(*countUndelivered(sql, "old"), 2);
+    ASSERT_TRUE(markDelivered(sql, "old", {{first, 2}}));
+    EXPECT_EQ(*countUndelivered(sql, "old"), 2) << "it was written again meanwhile";
+    ASSERT_TRUE(markDelivered(sql, "old", {{first, 3}}));
+    EXPECT_EQ(undelivered(sql, "old", 10)->front().visit.id, "B");
+    EXPECT_EQ(*countUndelivered(sql, "new"), 2);
+    EXPECT_EQ(undelivered(sql, "new", 10)->front().visit.id, "A");
 }
 
 TEST_P(JournalTables, ABlockIsTakenOnceAndTheSameQuestionHasTheSameAnswer)
@@ -149,6 +170,12 @@ TEST(JournalServers, HaveAnAddress)
 {
     EXPECT_TRUE(JournalServer::parse("postgresql://anna@bench-db/journal"));
     EXPECT_TRUE(JournalServer::parse("postgresql://bench-db:5433/journal"));
+    for (const auto &[host, port] : {std::pair("[::1]", 5432), std::pair("[fe80::1]:5433", 5433)}) {
+        const auto address = ServerAddress::parse(std::string("postgresql://anna@") + host + "/journal");
+        ASSERT_TRUE(address) << host;
+        EXPECT_EQ(address->host.find_first_of("[]"), std::string::npos);
+        EXPECT_EQ(address->port, port);
+    }
     for (const char *const bad : {"", "mysql://a@b/c", "postgresql://", "postgresql://host", "postgresql://a@/db",
              "postgresql://a@host:0/db", "postgresql://host/"})
         EXPECT_FALSE(JournalServer::parse(bad)) << bad;
@@ -320,6 +347,21 @@ TEST_F(StationNumbers, ThatAnOlderProgramTookFromTheServerAreKeptForTheirUnits)
     EXPECT_EQ(number(one.journal, "a"), 30);
     EXPECT_EQ(number(one.journal, "b"), 31);
     EXPECT_EQ(number(one.book, "c"), 10) << "the file alone has nothing of them";
+}
+
+TEST_F(StationNumbers, OfSimulatedUnitsAreTheStationsOwnAndNoRealUnitMissesThem)
+{
+    Station one(clock, "bench 1", server.url());
+    Visit visit;
+    visit.family = "dmc60c";
+    visit.recipe = "rev C";
+    visit.simulated = true;
+    NumberWish wish{numberScopeOf(visit), "simulated dmc60c 1", "visit", 10, 63, {}, true};
+    EXPECT_EQ(test::run(clock, one.journal.number(wish)).value_or(-1), 10);
+    Station two(clock, "bench 2", server.url());
+    EXPECT_EQ(number(two.journal, "a"), 10);
+    EXPECT_EQ(number(one.journal, "b"), 15) << "a block of its own";
+    EXPECT_EQ(JournalServer::parse(server.url())->take("t", wish, "bench 1", 1.0)->first, 10) << "the server gave none";
 }
 
 TEST_F(StationNumbers, AreTheSameForAUnitThatComesToAnotherStation)

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void aCutQueueIsOfferedAndGoneOnWith();
     void aCutQueueIsOfferedUntilItIsDismissed();
     void whatWasCutOffIsLookedForOnEveryLinkThatIsOpen();
+    void simulatedUnitsAndRealOnesAreNotGoneOnWithTogether();
     void whatEndedIsSavedAsATable();
     void aRefusedStartIsSaid();
     void ticksAreForKeyboardAndReader();
@@ -418,6 +419,25 @@ void QueueTest::whatWasCutOffIsLookedForOnEveryLinkThatIsOpen()
     bench.board().goOn();
     QCOMPARE(bench.workbench.given<orders::ServeUnits>().at(0).links,
         (std::vector<std::string>{"sim:can", "socketcan:can1"}));
+}
+
+void QueueTest::simulatedUnitsAndRealOnesAreNotGoneOnWithTogether()
+{
+    QueueBench bench;
+    auto *banner = bench.board().findChild<Banner *>();
+    bench.workbench.visited.cut = {"run 7", 0, 1, true};
+    QVERIFY(bench.board().openImage(demoImage));
+    QVERIFY2(!banner->isVisible(), "there is no simulated bench");
+    bench.workbench.shot.links.front().simulated = true;
+    bench.workbench.publish();
+    QVERIFY(banner->isVisible());
+    bench.board().goOn();
+    bench.workbench.visited.cut = {"run 8", 0, 1};
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.board().goOn();
+    const auto begun = bench.workbench.given<orders::ServeUnits>();
+    QCOMPARE(begun.at(0).links, std::vector<std::string>{"sim:can"});
+    QCOMPARE(begun.at(1).links, std::vector<std::string>{"socketcan:can1"});
 }
 
 void QueueTest::whatEndedIsSavedAsATable()

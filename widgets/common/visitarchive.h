@@ -18,6 +18,7 @@ struct CutRun {
     std::string run; ///< empty: there is none
     int ended = 0;   ///< units that have their verdict
     int open = 0;    ///< units that were being served
+    bool simulated = false;
 };
 
 /// The journal of service as the window sees it: nothing waits, answers come later, never from inside the call. Everything on the
@@ -33,7 +34,8 @@ public:
 
     /// What the journal has, oldest first.
     virtual void list(const service::VisitFilter &filter, Listed listed) = 0;
-    /// The last run of this recipe, where units of it were cut off and nobody has gone on since.
+    /// The last run of this recipe, where units of it were cut off and nobody has gone on since; of real units before that of
+    /// simulated ones.
     virtual void findCut(const service::RecipeMatter &matter, CutFound found) = 0;
     /// A note of the operator on an entry.
     virtual void setNote(const std::string &visit, const QString &note, Finished finished) = 0;

@@ -40,13 +40,13 @@ std::vector<std::string> linksOf(const Snapshot &shot, const Family *family, con
     return links;
 }
 
-/// On which its units may be, also those that do not answer.
-std::vector<std::string> openLinks(const Snapshot &shot, const Family &family)
+/// On which its units may be, also those that do not answer: real ones, or simulated ones.
+std::vector<std::string> openLinks(const Snapshot &shot, const Family &family, bool simulated)
 {
     std::vector<std::string> links;
     for (const LinkView &link : shot.links) {
         const bool fits = std::ranges::find(family.links, link.kind) != family.links.end();
-        if (fits && link.state == LinkState::Open && !link.replay)
+        if (fits && link.state == LinkState::Open && !link.replay && link.simulated == simulated)
             links.push_back(link.address);
     }
     return links;
@@ -268,7 +268,9 @@ void QueueBoard::start()
 
 bool QueueBoard::mayGoOn() const
 {
-    return !m_cut.run.empty() && !m_workbench.service().running;
+    if (m_cut.run.empty() || m_workbench.service().running)
+        return false;
+    return !m_cut.simulated || !openLinks(m_workbench.snapshot(), *m_recipe.family(), true).empty();
 }
 
 void QueueBoard::goOn()
@@ -283,7 +285,7 @@ void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
     m_log->clear();
     const Snapshot &shot = m_workbench.snapshot();
     std::vector<std::string> links
-        = run.empty() ? linksOf(shot, m_recipe.family(), chosen) : openLinks(shot, *m_recipe.family());
+        = run.empty() ? linksOf(shot, m_recipe.family(), chosen) : openLinks(shot, *m_recipe.family(), m_cut.simulated);
     m_workbench.send(orders::ServeUnits{m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
         [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
             if (self && !result)

@@ -108,6 +108,7 @@ constexpr Capabilities capabilities{
     .identify = false,
     .rename = false,
     .renumber = false,
+    .lastAddress = maxOffset,
     .axes = 1,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(20),

@@ -4,11 +4,13 @@
 #include "async/sleep.h"
 #include "families/abstractdc/answertime.h"
 #include "families/abstractdc/codec.h"
+#include "families/abstractdc/protocol.h"
 #include "families/abstractdc/scanprobe.h"
 
 #include <QtGlobal>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace mb::abstractdc {
@@ -18,6 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration broadcastSlack = 50ms;
 constexpr int broadcasts = 2;
+constexpr Duration sweepMost = 60ms; ///< what asking 99 old drives one by one may take
 constexpr int closerLooks = 3;
 
 } // namespace
@@ -97,7 +100,12 @@ public:
         std::set<int> expected;
         for (const Identity &identity : m_sink.remembered())
             expected.insert(identity.address);
-        auto looking = findOldest(m_link, m_clock, std::move(expected));
+        const bool all = m_sink.extent() == ScanExtent::Everything || roundTrip(m_link) * maxOffset <= sweepMost;
+        if (!all)
+            m_sink.leftOut(say("Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this "
+                               "bit rate only by their number, or by %1",
+                "motorbenchctl scan --everything"));
+        auto looking = findOldest(m_link, m_clock, all ? std::nullopt : std::optional(std::move(expected)));
         const std::vector<int> offsets = co_await std::move(looking);
         for (const int offset : offsets) {
             // A legacy drive that somebody else asks at this moment answers there too: only this one answers 800.

@@ -11,7 +11,6 @@ using namespace std::chrono_literals;
 
 constexpr int probeTries = 3;
 constexpr Duration patienceWithOthers = 500ms; ///< who ask for voltages all the time
-constexpr Duration sweepMost = 60ms;           ///< what asking 99 old drives one by one may take
 
 } // namespace
 
@@ -117,8 +116,8 @@ Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
     co_return co_await std::move(asking);
 }
 
-/// Drives older than the broadcast are asked one by one, where the bit rate allows it.
-Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::set<int> expected)
+/// Drives older than the broadcast are asked one by one.
+Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::optional<std::set<int>> expected)
 {
     std::set<int> offsets;
     const Subscription received = link.received().add([&offsets](const CanFrame &frame) {
@@ -126,10 +125,9 @@ Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::set<int> exp
         if (!frame.extended && frame.size == 4 && offset >= 0 && offset <= maxOffset)
             offsets.insert(offset);
     });
-    const bool all = roundTrip(link) * maxOffset <= sweepMost;
     const Duration spacing = std::max<Duration>(1ms, 4 * roundTrip(link)); // others' frames do not wait behind a burst
     for (int offset = 0; offset <= maxOffset; ++offset) {
-        if (!all && offset > 0 && !expected.contains(offset))
+        if (expected && offset > 0 && !expected->contains(offset))
             continue;
         if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
             co_return fail(sent.error());

@@ -114,9 +114,8 @@ struct Found {
 
 /// Which drive sends its speed log on `answer`, and its dialect (nullptr: not proven); nothing when not even the offset is sure.
 [[nodiscard]] Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer);
-/// Drives older than the broadcast, asked one by one: their offsets. Where the bit rate does not allow all, 0 and those that
-/// are `expected`.
-[[nodiscard]] Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::set<int> expected);
+/// Drives older than the broadcast, asked one by one: their offsets. Of all, or of 0 and those that are `expected`.
+[[nodiscard]] Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::optional<std::set<int>> expected);
 
 [[nodiscard]] inline std::uint32_t at(std::uint32_t base, int offset)
 {

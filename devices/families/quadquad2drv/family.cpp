@@ -33,6 +33,7 @@ constexpr Capabilities capabilities{
     .restart = true,
     .keepsSettings = false,
     .outputOptions = false,
+    .lastAddress = 0,
     .commandsProfile = true,
     .firstPower = 0.25, // SettingRequests::firstPowerLimit
     .fastestProfile = fastest,

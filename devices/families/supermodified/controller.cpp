@@ -47,6 +47,8 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
                       m_presence.zeroed();
                       m_polls.setOrigin(m_motion.count().origin());
                   }
+                  if (m_presence.hasJumped(raw))
+                      m_motion.reassert();
                   m_presence.located(raw, m_motion.isBusy()); // reassert() has asked it
                   m_motion.setPosition(raw);
               },

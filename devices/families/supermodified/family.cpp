@@ -72,6 +72,7 @@ constexpr Capabilities capabilities{
     .storesAtOnce = true,
     .zeroPosition = true,
     .outputOptions = false,
+    .firstAddress = lowestNode,
     .lastAddress = highestNode,
     .axes = 1,
     .gainSlots = 1,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/nodepresence.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace mb::supermodified {
@@ -9,6 +11,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration foreignMemory = 500ms;
+constexpr std::int64_t jitter = 4; ///< counts of a motor that stands
+constexpr std::int64_t suddenly = 4;
 
 } // namespace
 
@@ -36,7 +40,16 @@ void NodePresence::located(std::int64_t raw, bool isAsked)
 {
     if (m_missed && m_position.value_or(0) != 0 && raw == 0)
         m_supply = isAsked ? Supply::Doubted : Supply::Lost;
+    else if (m_supply == Supply::Kept && isAsked && hasJumped(raw))
+        m_supply = Supply::Doubted;
+    m_step = raw - m_position.value_or(raw);
     m_position = raw;
+}
+
+bool NodePresence::hasJumped(std::int64_t raw) const
+{
+    const std::int64_t step = std::abs(raw - m_position.value_or(raw));
+    return std::abs(raw) < step && step > suddenly * std::max(std::abs(m_step), jitter);
 }
 
 void NodePresence::notStarted()

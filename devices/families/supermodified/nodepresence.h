@@ -31,12 +31,15 @@ public:
     /// The position that it told. Counts that are gone after a silence are those of a node that has lost its supply, or of one that was
     /// told to go there: where `isAsked`, its answer to a move tells which.
     void located(std::int64_t raw, bool isAsked);
+    /// It counts from 0 anew, for all that this position tells: it is nearer to 0 than to the one before, and farther from that than a motor gets
+    /// from one answer to the next. A restart between two questions shows by nothing else.
+    [[nodiscard]] bool hasJumped(std::int64_t raw) const;
     /// It says that its motor is not started.
     void notStarted();
     /// It took a move.
     void moved();
     /// It counts from 0 by our order.
-    void zeroed() { m_position = 0; }
+    void zeroed() { m_position = m_step = 0; }
     [[nodiscard]] bool hasRestarted() const { return m_supply == Supply::Lost; }
     /// What a restart took was read again.
     void refreshed() { m_supply = Supply::Kept; }
@@ -56,6 +59,7 @@ private:
     int m_misses = 0;
     bool m_missed = false;                  ///< the answer before the last one did not come
     std::optional<std::int64_t> m_position; ///< of the node
+    std::int64_t m_step = 0;                ///< from the position before that
     Timer m_foreign;
     Subscription m_overheard;
 };
