@@ -6,6 +6,7 @@
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/searchfield.h"
@@ -13,7 +14,6 @@
 #include "widgets/common/wraplayout.h"
 #include "widgets/monitor/noticemodel.h"
 
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
@@ -153,16 +153,12 @@ QString LogPage::text() const
 
 void LogPage::askSave()
 {
-    auto *dialog
-        = new QFileDialog(this, tr("Save the log"), QStringLiteral("motorbench.log"), tr("Text (*.log *.txt)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+    const auto save = [this](const QString &path) {
         const auto saved = saveFile(path.toStdString(), text().toUtf8());
         m_workbench.report(saved ? Severity::Good : Severity::Danger, {},
             saved ? tr("log saved to %1").arg(path) : errorText(saved.error()));
-    });
-    dialog->open();
+    };
+    askWhereToSave(*this, tr("Save the log"), tr("Text (*.log *.txt)"), QStringLiteral("motorbench.log"), save);
 }
 
 } // namespace mb

@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/leastheight.h"
@@ -66,13 +67,18 @@ ParameterView &ParametersPage::view()
     return m_sheet->view();
 }
 
+void ParametersPage::ask(const QString &title, void (ParametersPage::*then)(const QString &))
+{
+    askForFile(*this, title, parameterFilters(), {}, [this, then](const QString &path) { (this->*then)(path); });
+}
+
 void ParametersPage::buildEmpty()
 {
     m_empty = new EmptyState(m_theme, Symbol::Chip, {}, {}, m_stack);
     m_openFile = m_empty->addAction(Symbol::Document, tr("Open a parameter file…"));
     m_stack->addWidget(m_empty);
     connect(m_openFile, &QPushButton::clicked, this,
-        [this] { askForFile(*this, tr("Open a parameter file"), [this](const QString &path) { openFile(path); }); });
+        [this] { ask(tr("Open a parameter file"), &ParametersPage::openFile); });
 }
 
 QWidget *ParametersPage::buildTable(BannerStack &banners)
@@ -93,9 +99,8 @@ QWidget *ParametersPage::buildTable(BannerStack &banners)
     connect(m_tools, &ParameterTools::filterChanged, this, &ParametersPage::setFilter);
     connect(m_tools, &ParameterTools::searchEnded, &m_sheet->view(), qOverload<>(&QWidget::setFocus));
     connect(&m_tools->axes(), &AxisChoice::changed, this, &ParametersPage::follow);
-    connect(&m_tools->comparison(), &ComparisonBox::fileRequested, this, [this] {
-        askForFile(*this, tr("Compare with a parameter file"), [this](const QString &path) { compareWith(path); });
-    });
+    connect(&m_tools->comparison(), &ComparisonBox::fileRequested, this,
+        [this] { ask(tr("Compare with a parameter file"), &ParametersPage::compareWith); });
     connect(m_commands, &ParameterCommands::written, this, &ParametersPage::refresh);
     connect(m_commands, &ParameterCommands::kept, m_history, &HistoryPanel::reload);
     connect(m_history, &HistoryPanel::restoreRequested, this, [this] {
@@ -113,10 +118,10 @@ void ParametersPage::connectHead()
     connect(m_head, &ParameterHead::historyToggled, this, &ParametersPage::showHistory);
     connect(m_head, &ParameterHead::menuFilled, this, [this](QMenu *menu) { m_tools->comparison().addTo(*menu); });
     connect(m_head, &ParameterHead::importRequested, this,
-        [this] { askForFile(*this, tr("Import parameters"), [this](const QString &path) { importFrom(path); }); });
+        [this] { ask(tr("Import parameters"), &ParametersPage::importFrom); });
     connect(m_head, &ParameterHead::exportRequested, this, [this] {
         if (const DeviceView *shown = device())
-            askWhereToSave(*this, tr("Export parameters"),
+            askWhereToSave(*this, tr("Export parameters"), parameterFilters(),
                 QStringLiteral("%1-%2.json").arg(qt(shown->family->key)).arg(shown->identity->address),
                 [this](const QString &path) { exportTo(path); });
     });

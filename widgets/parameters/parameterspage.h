@@ -59,6 +59,7 @@ protected:
 
 private:
     void fit();
+    void ask(const QString &title, void (ParametersPage::*then)(const QString &path));
     void buildEmpty();
     QWidget *buildTable(BannerStack &banners);
     void connectHead();

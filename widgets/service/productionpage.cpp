@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/keystrip.h"
 #include "widgets/common/labels.h"
@@ -19,7 +20,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
