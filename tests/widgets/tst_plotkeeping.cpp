@@ -275,6 +275,8 @@ void TestPlotKeeping::theScrubberScrollsBackWhileRecording()
     PlotBench bench;
     bench.pass(120.0, 60000.0);
     auto *scrubber = bench.page->findChild<PlotScrubber *>();
+    QTest::mouseClick(scrubber, Qt::RightButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
+    QVERIFY(bench.stack().view().isLive());
     QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
     QVERIFY(!bench.stack().view().isLive());
     const auto [from, to] = bench.stack().view().range();

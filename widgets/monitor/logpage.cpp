@@ -15,6 +15,7 @@
 #include "widgets/monitor/noticemodel.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
@@ -120,9 +121,14 @@ void LogPage::buildTable()
     m_states->addWidget(m_table);
     static_cast<QVBoxLayout *>(layout())->addWidget(m_states, 1);
     const auto show = [this] { m_states->setCurrentIndex(m_model->rowCount() > 0 ? 1 : 0); };
+    connect(m_model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
+        const QScrollBar &bar = *m_table->verticalScrollBar();
+        m_follows = bar.value() == bar.maximum(); // else somebody reads what was before
+    });
     connect(m_model, &QAbstractItemModel::rowsInserted, this, [this, show] {
         show();
-        m_table->scrollToBottom();
+        if (m_follows)
+            m_table->scrollToBottom();
     });
     const auto apply = [this, filter] {
         constexpr std::array least{Severity::Info, Severity::Caution, Severity::Danger};
