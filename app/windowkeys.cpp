@@ -8,18 +8,12 @@
 #include "app/windowmenu.h"
 #include "widgets/common/commandpalette.h"
 #include "widgets/common/pagekeys.h"
+#include "widgets/parameters/parameterspage.h"
 
 namespace mb {
-namespace {
 
-const PageKeys *keysOf(const QWidget &page)
-{
-    return page.findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
-}
-
-} // namespace
-
-WindowKeys::WindowKeys(const Surroundings &surroundings, QWidget &window, std::function<void()> production)
+WindowKeys::WindowKeys(
+    const Surroundings &surroundings, QWidget &window, std::function<void()> production, std::function<void()> rename)
     : QObject(&window)
     , m_pages(surroundings.pages)
     , m_docks(surroundings.docks)
@@ -52,7 +46,7 @@ void WindowKeys::build(Settings &settings, std::function<void()> production)
 
 void WindowKeys::list()
 {
-    showKeys(m_window, m_pages.title(m_pages.shown()), {keysOf(*m_pages.shownPage()), m_keys},
+    showKeys(m_window, m_pages.title(m_pages.shown()), {PageKeys::of(*m_pages.shownPage()), m_keys},
         [this] { (void)m_help.open(m_help.topicOf(m_pages.shown())); });
 }
 
@@ -61,7 +55,7 @@ void WindowKeys::listCommands()
     std::vector<Command> commands;
     addButtons(commands, m_pages.title(m_pages.shown()), *m_pages.shownPage());
     for (const PageId id : m_pages.all()) {
-        const PageKeys *keys = keysOf(*m_pages.page(id));
+        const PageKeys *keys = PageKeys::of(*m_pages.page(id));
         if (keys && m_pages.isAvailable(id))
             addCommands(commands, m_pages.title(id), *keys, [this, id] { m_pages.showPage(id); });
     }

@@ -203,7 +203,7 @@ void ParametersPage::showDevice(const DeviceView &device)
     m_shown = now;
     if (m_history->isVisible())
         m_history->showDevice(device);
-    m_commands->readOnce(device);
+    m_desk.readOnce(device);
     if (same)
         return;
     if (m_model->edits() != &edits) {
