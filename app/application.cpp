@@ -379,7 +379,12 @@ void Application::dress(const Look &look)
     }
     m_theme = std::make_unique<ThemeSource>(theme);
     wearTheme();
-    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { wearTheme(); });
+    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] {
+        const Theme &worn = m_theme->theme();
+        if (worn.name != themeNamed(m_themeName, m_palette.palette(), worn.bodyPointSize).name)
+            m_themeName = worn.name; // chosen by its key
+        wearTheme();
+    });
 }
 
 void Application::wearTheme()

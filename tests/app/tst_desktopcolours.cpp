@@ -114,6 +114,8 @@ private Q_SLOTS:
     void cleanup() { QApplication::setPalette(QPalette()); }
     void windowAndPlotsFollowTheDesktop();
     void whoHasAThemeOfTheProgramKeepsIt();
+    void whoHasLeftTheDesktopsColoursByTheKeyKeepsThat_data();
+    void whoHasLeftTheDesktopsColoursByTheKeyKeepsThat();
     void aDesktopOfHighContrastIsFollowedUnasked();
     void nothingFollowsItself();
     void aChangeBelowOurColoursIsNoticed();
@@ -151,6 +153,31 @@ void DesktopColoursTest::whoHasAThemeOfTheProgramKeepsIt()
     QApplication::setPalette(lightDesktop());
     QTRY_COMPARE(QApplication::palette().color(QPalette::Window), ours.color(QPalette::Window));
     QTRY_VERIFY(share(window, ours) > 0.3);
+}
+
+void DesktopColoursTest::whoHasLeftTheDesktopsColoursByTheKeyKeepsThat_data()
+{
+    QTest::addColumn<QString>("theme");
+    QTest::newRow("as the desktop") << QStringLiteral("system");
+    QTest::newRow("nothing chosen") << QString();
+}
+
+void DesktopColoursTest::whoHasLeftTheDesktopsColoursByTheKeyKeepsThat()
+{
+    QFETCH(const QString, theme);
+    QApplication::setPalette(contrastDesktop());
+    const auto application = started(theme);
+    MainWindow &window = application->window();
+    QTRY_VERIFY(share(window, contrastDesktop()) > leastShare);
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier);
+    const QPalette ours = QApplication::palette();
+    QTRY_VERIFY(share(window, ours) > 0.3);
+    for (const QPalette &palette : {darkDesktop(), contrastDesktop()}) {
+        QApplication::setPalette(palette);
+        QTRY_COMPARE(QApplication::palette().color(QPalette::Window), ours.color(QPalette::Window));
+        QTRY_VERIFY(share(window, ours) > 0.3);
+    }
 }
 
 void DesktopColoursTest::aDesktopOfHighContrastIsFollowedUnasked()
