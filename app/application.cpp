@@ -332,6 +332,9 @@ void Application::setUpLimits()
         if (!opened)
             m_engine->report(Severity::Caution, {}, errorText(opened.error()));
     }
+    QObject::connect(&m_limits, &EnvelopeBook::failed, m_window.get(), [this](const QString &cause) {
+        m_engine->report(Severity::Caution, {}, MainWindow::tr("the limits were not kept: %1").arg(cause));
+    });
     QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
         if (auto *tune = qobject_cast<TunePage *>(page)) {
             tune->column().envelope().share(m_limits);

@@ -86,10 +86,8 @@ void ProjectDesk::apply(const DeviceView &device, const ProjectUnit &unit)
     }
     if (!unit.dialect.empty() && unit.dialect != device.profile->dialect)
         m_workbench.send(orders::SetDialect{device.id, unit.dialect});
-    if (unit.limits != Envelope() && !device.unit.empty()) {
-        if (const auto entered = m_limits.enter(device.unit, unit.limits); !entered)
-            m_workbench.report(Severity::Caution, titleOf(device), errorText(entered.error()));
-    }
+    if (unit.limits != Envelope())
+        m_limits.enter(device.unit, unit.limits);
     m_workbench.report(Severity::Info, titleOf(device), tr("scales and limits of the project are in force"));
 }
 
