@@ -15,6 +15,7 @@
 #include "widgets/parameters/parameterhead.h"
 #include "widgets/parameters/parametersheet.h"
 #include "widgets/parameters/parametertools.h"
+#include "widgets/parameters/readstatus.h"
 
 #include <QStackedWidget>
 
@@ -28,6 +29,12 @@ QVBoxLayout *plainColumn(QWidget *widget)
 {
     auto *column = layoutIn<QVBoxLayout>(widget, 0);
     return column;
+}
+
+/// It answers, and no job of it is under way.
+bool isFree(const DeviceView *device, const Snapshot &shot)
+{
+    return device && device->liveness.heard && !isUnderWay(shot.operation(device->id));
 }
 
 } // namespace
@@ -146,12 +153,11 @@ void ParametersPage::buildKeys()
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("reads all parameters"), [this] { readAll(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] { m_tools->search(); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+S"))}, tr("writes what is staged"), [this] { write(); });
+    keys->add({QKeySequence(QStringLiteral("Shift+F5"))}, tr("writes what is staged"), [this] { write(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
         [this] { undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         tr("redoes the last edit or write"), [this] { undo(true); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, tr("takes a snapshot"), [this] { takeSnapshot(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+H"))}, tr("shows the history of the unit, or its values"),
         [this] { showHistory(!m_head->isHistoryChosen()); });
 }
@@ -298,7 +304,7 @@ void ParametersPage::undo(bool redo)
 void ParametersPage::readAll()
 {
     const DeviceView *shown = device();
-    if (shown && m_head->isReady() && m_model->edits() && !m_file)
+    if (isFree(shown, m_workbench.snapshot()) && m_model->edits() && !m_file)
         m_commands->read(shown->id);
 }
 
@@ -316,14 +322,15 @@ void ParametersPage::write()
 
 void ParametersPage::store()
 {
-    if (const DeviceView *shown = device())
+    const DeviceView *shown = device();
+    if (isFree(shown, m_workbench.snapshot()) && !m_ledger.rows(shown->id).empty())
         m_commands->store(shown->id);
 }
 
 void ParametersPage::takeSnapshot()
 {
     const DeviceView *shown = device();
-    if (shown && m_head->isReady())
+    if (isFree(shown, m_workbench.snapshot()))
         m_commands->takeSnapshot(shown->id);
 }
 
