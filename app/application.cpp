@@ -332,6 +332,9 @@ void Application::setUpLimits()
         if (!opened)
             m_engine->report(Severity::Caution, {}, errorText(opened.error()));
     }
+    QObject::connect(&m_limits, &EnvelopeBook::failed, m_window.get(), [this](const QString &cause) {
+        m_engine->report(Severity::Caution, {}, MainWindow::tr("the limits were not kept: %1").arg(cause));
+    });
     QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
         if (auto *tune = qobject_cast<TunePage *>(page)) {
             tune->column().envelope().share(m_limits);
@@ -379,7 +382,12 @@ void Application::dress(const Look &look)
     }
     m_theme = std::make_unique<ThemeSource>(theme);
     wearTheme();
-    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { wearTheme(); });
+    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] {
+        const Theme &worn = m_theme->theme();
+        if (worn.name != themeNamed(m_themeName, m_palette.palette(), worn.bodyPointSize).name)
+            m_themeName = worn.name; // chosen by its key
+        wearTheme();
+    });
 }
 
 void Application::wearTheme()

@@ -5,14 +5,6 @@
 #include "widgets/service/productionpage.h"
 
 namespace mb {
-namespace {
-
-PageKeys *keysOf(const QWidget *widget)
-{
-    return widget ? widget->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly) : nullptr;
-}
-
-} // namespace
 
 void noteFixedKeys(PageKeys &window)
 {
@@ -38,13 +30,12 @@ KeyBook KeyDesk::book()
 {
     KeyBook book;
     const auto *tabs = m_window.findChild<PageTabs *>();
-    book.add(tr("Everywhere"), true, *keysOf(&m_window));
+    book.add(tr("Everywhere"), true, *PageKeys::of(m_window));
     for (int i = 0; i < tabs->count(); ++i) {
-        if (const PageKeys *keys = keysOf(m_page(i)))
+        if (const PageKeys *keys = PageKeys::of(*m_page(i)))
             book.add(tabs->tabText(i), false, *keys);
     }
-    if (const PageKeys *keys = keysOf(m_window.findChild<ProductionPage *>()))
-        book.add(tr("Production"), false, *keys);
+    book.add(tr("Production"), false, *PageKeys::of(*m_window.findChild<ProductionPage *>()));
     return book;
 }
 

@@ -20,6 +20,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/noticestrip.h"
+#include "widgets/connection/deviceactions.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/control/tunepage.h"
@@ -32,6 +33,7 @@
 #include "widgets/report/reportspage.h"
 #include "widgets/service/productionpage.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QStackedWidget>
@@ -61,8 +63,9 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     buildDocks(); // beside the pages: they take what these leave
     buildProduction();
     setStatusBar(new StatusBar(workbench, theme, this));
-    m_keys = new WindowKeys({*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
-        [this] { m_production->show(!m_production->isShown()); });
+    m_keys = new WindowKeys(
+        {*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
+        [this] { m_production->show(!m_production->isShown()); }, [this] { rename(); });
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
     // Never so narrow that the Arm button or STOP is cut, or that the devices beside it are squeezed to nothing.
     setMinimumSize(m_header->minimumSizeHint().width(), theme.theme().u(leastHeight));
@@ -189,6 +192,18 @@ QWidget *MainWindow::makeOverview(QWidget *parent)
     connect(overview, &OverviewPage::openRecordingRequested, m_menu, &WindowMenu::openRecording);
     connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
     return overview;
+}
+
+/// What can be edited where the focus is goes first, as it would without this key.
+void MainWindow::rename()
+{
+    auto *const list = qobject_cast<QAbstractItemView *>(QApplication::focusWidget());
+    if (m_production->isShown())
+        findChild<ProductionPage *>()->goToSerial();
+    else if (list && list->currentIndex().flags().testFlag(Qt::ItemIsEditable))
+        list->edit(list->currentIndex());
+    else
+        askRename(m_workbench, m_selection.device(), *this);
 }
 
 void MainWindow::listKeys()

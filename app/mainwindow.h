@@ -71,6 +71,7 @@ private:
     void addPages();
     void buildProduction();
     QWidget *makeOverview(QWidget *parent);
+    void rename();
     void follow();
     void followInspector();
 

@@ -72,7 +72,7 @@ int plotFile(const Options &options)
     stack.refresh(to); // the first one has found out how wide the labels are
     // a picture has the size that was asked for, even where the window would want more
     const QByteArray picture = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale))
-                                                              : stack.exporter().pictureAs(suffix);
+                                                              : stack.exporter().contentAs(suffix);
     if (picture.isEmpty())
         return refuse(
             {Fault::OutOfRange, say("%1 cannot be painted", options.out.toStdString()), say("choose a smaller --size")},

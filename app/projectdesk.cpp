@@ -2,11 +2,11 @@
 #include "app/projectdesk.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/control/envelopebook.h"
 
 #include <QDir>
-#include <QFileDialog>
 
 namespace mb {
 
@@ -20,24 +20,14 @@ ProjectDesk::ProjectDesk(Workbench &workbench, EnvelopeBook &limits, const QStri
     connect(&workbench, &Workbench::changed, this, &ProjectDesk::follow);
 }
 
-void ProjectDesk::ask(const QString &title, void (ProjectDesk::*then)(const QString &))
-{
-    auto *dialog = new QFileDialog(&m_window, title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, this, then);
-    dialog->open();
-}
-
 void ProjectDesk::askSave()
 {
-    ask(tr("Save the machine into a folder"), &ProjectDesk::save);
+    askForFolder(m_window, tr("Save the machine into a folder"), {}, [this](const QString &folder) { save(folder); });
 }
 
 void ProjectDesk::askOpen()
 {
-    ask(tr("Open the folder of a machine"), &ProjectDesk::open);
+    askForFolder(m_window, tr("Open the folder of a machine"), {}, [this](const QString &folder) { open(folder); });
 }
 
 void ProjectDesk::save(const QString &folder)
@@ -96,10 +86,8 @@ void ProjectDesk::apply(const DeviceView &device, const ProjectUnit &unit)
     }
     if (!unit.dialect.empty() && unit.dialect != device.profile->dialect)
         m_workbench.send(orders::SetDialect{device.id, unit.dialect});
-    if (unit.limits != Envelope() && !device.unit.empty()) {
-        if (const auto entered = m_limits.enter(device.unit, unit.limits); !entered)
-            m_workbench.report(Severity::Caution, titleOf(device), errorText(entered.error()));
-    }
+    if (unit.limits != Envelope())
+        m_limits.enter(device.unit, unit.limits);
     m_workbench.report(Severity::Info, titleOf(device), tr("scales and limits of the project are in force"));
 }
 

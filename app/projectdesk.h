@@ -28,7 +28,6 @@ Q_SIGNALS:
 private:
     void follow();
     void apply(const DeviceView &device, const ProjectUnit &unit);
-    void ask(const QString &title, void (ProjectDesk::*then)(const QString &));
 
     Workbench &m_workbench;
     EnvelopeBook &m_limits;

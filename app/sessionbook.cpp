@@ -39,7 +39,7 @@ Result<void> SessionBook::begin(qint64 begun)
     return {};
 }
 
-Result<void> SessionBook::save(const SessionRecord &record)
+Result<void> SessionBook::save(const SessionRecord &record) const
 {
     return m_file.isEmpty() ? Result<void>{} : saveFile(m_file.toStdString(), record.toJson());
 }

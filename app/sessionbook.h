@@ -27,8 +27,8 @@ public:
 
     /// Begins the one of this run, `begun` in Unix time.
     [[nodiscard]] Result<void> begin(qint64 begun);
-    /// Writes the one of this run, whole or not at all.
-    [[nodiscard]] Result<void> save(const SessionRecord &record);
+    /// Writes the one of this run, whole or not at all. Any thread, one at a time.
+    [[nodiscard]] Result<void> save(const SessionRecord &record) const;
     /// Of earlier runs and of other windows, newest first; those that run are left out.
     [[nodiscard]] std::vector<Entry> earlier() const;
     /// The newest that crashed.

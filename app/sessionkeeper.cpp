@@ -76,8 +76,13 @@ void SessionKeeper::save(bool ended)
     record.begun = m_begun;
     record.changed = unixNow();
     record.ended = ended;
-    if (const auto saved = m_book.save(record); !saved && !std::exchange(m_told, true))
-        m_workbench.report(Severity::Caution, {}, tr("This session cannot be kept: %1").arg(errorText(saved.error())));
+    m_disk.order(
+        QStringLiteral("session"), [&book = m_book, record] { return book.save(record); },
+        [this](const Result<void> &saved) {
+            if (!saved && !std::exchange(m_told, true))
+                m_workbench.report(
+                    Severity::Caution, {}, tr("This session cannot be kept: %1").arg(errorText(saved.error())));
+        });
     m_written = record;
     if (ended)
         m_time.stop();

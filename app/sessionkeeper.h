@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/sessionbook.h"
+#include "widgets/common/diskthread.h"
 #include "widgets/common/workbench.h"
 
 #include <QTimer>
@@ -24,7 +25,7 @@ public:
     void restore(const SessionRecord &record);
     /// The same without opening anything.
     void comeBack(const SessionRecord &record);
-    /// Writes now; `ended`: the window is closed.
+    /// Writes soon, and before it goes; `ended`: the window is closed.
     void save(bool ended);
     [[nodiscard]] SessionRecord present() const;
 
@@ -42,6 +43,7 @@ private:
     Instant m_wantedAt{};
     bool m_told = false; ///< that it cannot be written
     QTimer m_time;
+    DiskThread m_disk;
 };
 
 /// Name of a page in a session.

@@ -88,16 +88,25 @@ QStringList Settings::links() const
 
 void Settings::addLink(const QString &address)
 {
-    QStringList all = links();
-    if (!all.contains(address))
-        setValue(QStringLiteral("links"), all << address);
+    changeLinks([&address](QStringList &all) { all << address; });
 }
 
 void Settings::removeLink(const QString &address)
 {
+    changeLinks([&address](QStringList &all) { all.removeAll(address); });
+}
+
+/// Another window may have kept one since the file was read.
+void Settings::changeLinks(const std::function<void(QStringList &)> &change)
+{
+    if (m_store)
+        m_store->sync();
     QStringList all = links();
-    if (all.removeAll(address) > 0)
-        setValue(QStringLiteral("links"), all);
+    change(all);
+    all.removeDuplicates();
+    setValue(QStringLiteral("links"), all);
+    if (m_store)
+        m_store->sync();
 }
 
 QString Settings::journalServer() const

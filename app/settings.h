@@ -8,6 +8,7 @@
 #include <QVariant>
 #include <QVariantMap>
 
+#include <functional>
 #include <memory>
 
 class QSettings;
@@ -61,6 +62,7 @@ public:
 private:
     [[nodiscard]] QVariant value(const QString &key) const;
     void setValue(const QString &key, const QVariant &value);
+    void changeLinks(const std::function<void(QStringList &)> &change);
 
     std::unique_ptr<QSettings> m_store;
     QVariantMap m_values; ///< without a store

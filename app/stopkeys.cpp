@@ -2,11 +2,22 @@
 #include "app/stopkeys.h"
 
 #include "widgets/common/numberfield.h"
+#include "widgets/common/scanfield.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 
 namespace mb {
+namespace {
+
+constexpr unsigned long scanTime = 50; ///< ms between two keys of a scanner are fewer
+
+bool isTyped(const QKeyEvent &key)
+{
+    return !key.text().isEmpty() && key.text().front().isPrint();
+}
+
+} // namespace
 
 bool StopKeys::eventFilter(QObject *, QEvent *event)
 {
@@ -23,10 +34,21 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
         announce(key, key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
         return false; // it still closes dialogs and clears fields
     }
-    if (key.key() != Qt::Key_Space || acceptsLetters(QApplication::focusWidget()))
+    if (key.key() != Qt::Key_Space || isText(key)) {
+        m_typed = isTyped(key) ? key.timestamp() : m_typed;
         return false;
+    }
     announce(key, QStringLiteral("Space"));
     return event->type() == QEvent::KeyPress; // Space never activates a button
+}
+
+/// Of Space.
+bool StopKeys::isText(const QKeyEvent &key) const
+{
+    const QWidget *const focus = QApplication::focusWidget();
+    if (qobject_cast<const ScanField *>(focus))
+        return m_typed && key.timestamp() - *m_typed < scanTime;
+    return acceptsLetters(focus);
 }
 
 void StopKeys::comeFirst()

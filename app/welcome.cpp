@@ -7,6 +7,7 @@
 #include "app/settings.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/connection/startpage.h"
@@ -16,7 +17,6 @@
 #include "widgets/start/guidestrip.h"
 
 #include <QBoxLayout>
-#include <QFileDialog>
 
 #include <algorithm>
 
@@ -66,14 +66,10 @@ void Welcome::connectStart()
         qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))->loadImage(m_shelf->path(row));
     });
     connect(m_start, &StartPage::firmwareFolderWanted, this, [this] {
-        auto *dialog = new QFileDialog(&m_window, tr("Folder with firmware"), m_shelf->folder());
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setFileMode(QFileDialog::Directory);
-        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &folder) {
+        askForFolder(m_window, tr("Folder with firmware"), m_shelf->folder(), [this](const QString &folder) {
             m_settings.setFirmwareFolder(folder);
             m_shelf->look(folder);
         });
-        dialog->open();
     });
     m_shelf->look(m_shelf->folder());
 }

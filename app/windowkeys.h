@@ -10,6 +10,7 @@ namespace mb {
 class HelpDesk;
 class PageKeys;
 class PageStack;
+class ParametersPage;
 class Settings;
 class SideDocks;
 class WindowMenu;
@@ -27,8 +28,9 @@ public:
         HelpDesk &help;
         Settings &settings;
     };
-    /// `production`: what F11 does.
-    WindowKeys(const Surroundings &surroundings, QWidget &window, std::function<void()> production);
+    /// `production` and `rename`: what F11 and F2 do.
+    WindowKeys(const Surroundings &surroundings, QWidget &window, std::function<void()> production,
+        std::function<void()> rename);
 
     /// Of the page that is shown, then those of the window.
     void list();
@@ -36,7 +38,8 @@ public:
     void listCommands();
 
 private:
-    void build(Settings &settings, std::function<void()> production);
+    void build(Settings &settings, std::function<void()> production, std::function<void()> rename);
+    [[nodiscard]] std::function<void()> ordering(void (ParametersPage::*order)());
 
     PageStack &m_pages;
     SideDocks &m_docks;

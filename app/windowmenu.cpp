@@ -5,11 +5,11 @@
 #include "app/keydesk.h"
 #include "app/preferences.h"
 #include "transport/backends/gpiolines.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/plots/sampleswindow.h"
 
-#include <QFileDialog>
 #include <QMenu>
 #include <QPointer>
 
@@ -89,14 +89,11 @@ void WindowMenu::openAddress(const QString &address, bool keep)
 
 void WindowMenu::openRecording()
 {
-    auto *dialog = new QFileDialog(&m_window, tr("Open a recording"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("All recordings (*.log *.asc *.txt *.mcap *.csv)"),
+    const QStringList filters{tr("All recordings (*.log *.asc *.txt *.mcap *.csv)"),
         tr("Frames: candump and Vector ASC logs (*.log *.asc *.txt)"), tr("Samples: MCAP, CSV (*.mcap *.csv)"),
-        tr("All files (*)")});
-    connect(dialog, &QFileDialog::fileSelected, this, &WindowMenu::openFile);
-    dialog->open();
+        tr("All files (*)")};
+    askForFile(m_window, tr("Open a recording"), filters.join(QStringLiteral(";;")), {},
+        [this](const QString &path) { openFile(path); });
 }
 
 void WindowMenu::openFile(const QString &path)

@@ -114,6 +114,8 @@ private Q_SLOTS:
     void cleanup() { QApplication::setPalette(QPalette()); }
     void windowAndPlotsFollowTheDesktop();
     void whoHasAThemeOfTheProgramKeepsIt();
+    void whoHasLeftTheDesktopsColoursByTheKeyKeepsThat_data();
+    void whoHasLeftTheDesktopsColoursByTheKeyKeepsThat();
     void aDesktopOfHighContrastIsFollowedUnasked();
     void nothingFollowsItself();
     void aChangeBelowOurColoursIsNoticed();
@@ -151,6 +153,30 @@ void DesktopColoursTest::whoHasAThemeOfTheProgramKeepsIt()
     QApplication::setPalette(lightDesktop());
     QTRY_COMPARE(QApplication::palette().color(QPalette::Window), ours.color(QPalette::Window));
     QTRY_VERIFY(share(window, ours) > 0.3);
+}
+
+void DesktopColoursTest::whoHasLeftTheDesktopsColoursByTheKeyKeepsThat_data()
+{
+    QTest::addColumn<QString>("theme");
+    QTest::newRow("as the desktop") << QStringLiteral("system");
+    QTest::newRow("nothing chosen") << QString();
+}
+
+void DesktopColoursTest::whoHasLeftTheDesktopsColoursByTheKeyKeepsThat()
+{
+    QFETCH(const QString, theme);
+    const auto application = started(theme);
+    MainWindow &window = application->window();
+    QApplication::setPalette(contrastDesktop());
+    QTRY_VERIFY(share(window, contrastDesktop()) > leastShare);
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_T, Qt::ControlModifier);
+    const QColor ours = QApplication::palette().color(QPalette::Window);
+    QVERIFY(ours != contrastDesktop().color(QPalette::Window));
+    for (const QPalette &palette : {darkDesktop(), contrastDesktop()}) {
+        QApplication::setPalette(palette);
+        QTRY_COMPARE(QApplication::palette().color(QPalette::Window), ours);
+    }
 }
 
 void DesktopColoursTest::aDesktopOfHighContrastIsFollowedUnasked()

@@ -4,6 +4,7 @@
 #include "app/preferences.h"
 #include "support/windowtests.h"
 #include "widgets/common/commandpalette.h"
+#include "widgets/service/productionpage.h"
 #include "windowbench.h"
 
 #include <QDialogButtonBox>
@@ -60,6 +61,7 @@ class KeysTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toUtf8()); }
+    void theKeysAreThoseOfTheTable();
     void preferencesListEveryCommandOfEveryPage();
     void aKeyIsChangedByPressingItAndHoldsAtOnce();
     void aClashIsRefusedAndStopsStayStops();
@@ -68,6 +70,35 @@ private Q_SLOTS:
 private:
     QTemporaryDir m_config;
 };
+
+/// What people have learned, and what the documents say. The keys of the window go first.
+void KeysTest::theKeysAreThoseOfTheTable()
+{
+    WindowBench bench;
+    MainWindow &window = bench.window();
+    const auto check = [](const QWidget &place, const char *keys) {
+        const auto *table = place.findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+        QVERIFY(table);
+        QStringList has;
+        for (const PageKeys::Row &row : table->rows()) {
+            for (const QKeySequence &key : row.factory)
+                has << key.toString(QKeySequence::PortableText);
+        }
+        for (const QString &key : QString::fromLatin1(keys).split(QLatin1Char(' ')))
+            QVERIFY2(has.contains(key), qPrintable(place.objectName() + QLatin1Char(' ') + key));
+    };
+    check(window,
+        "Esc Pause Space Ctrl+Shift+F12 F1 F2 F9 F10 F11 Ctrl+K Ctrl+S Ctrl+Shift+S Ctrl+1 Ctrl+2 Ctrl+3 Ctrl+4 Ctrl+5 "
+        "Ctrl+6 Ctrl+7 Ctrl+8 Ctrl+9");
+    check(*window.page(PageId::Parameters), "F5 Ctrl+F Ctrl+Z Ctrl+Y");
+    check(*window.page(PageId::Tune), "F5 F7 Ctrl+P Ctrl+Z Ctrl+Y B G I S L P 0");
+    check(*window.page(PageId::Design), "F5 F6 Ctrl+P");
+    check(*window.page(PageId::Plots), "L P R 0");
+    check(*window.page(PageId::Firmware), "F5");
+    check(*window.page(PageId::Bus), "P Ctrl+F");
+    check(*window.page(PageId::Reports), "Ctrl+P Ctrl+F");
+    check(bench.part<ProductionPage>(), "F5 F8");
+}
 
 void KeysTest::preferencesListEveryCommandOfEveryPage()
 {

@@ -47,7 +47,7 @@ void ProjectTest::aMachineIsWrittenAndReadAgain()
     Envelope bounds;
     bounds.travel = 40000.0;
     bounds.duty = 0.5;
-    QVERIFY(limits.enter(project.unitOf(*bench.device(WindowBench::tuned))->unit, bounds));
+    limits.enter(project.unitOf(*bench.device(WindowBench::tuned))->unit, bounds);
     project = Project::of(bench.engine().snapshot(), limits);
     const QTemporaryDir folder;
     QVERIFY(project.save(folder.path()));

@@ -8,6 +8,7 @@
 #include "app/sessionbook.h"
 #include "app/sessiondesk.h"
 #include "app/sessionkeeper.h"
+#include "app/settings.h"
 #include "app/welcome.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
@@ -112,6 +113,7 @@ private Q_SLOTS:
     void aSessionTakesNobodysUnitAway_data();
     void aSessionTakesNobodysUnitAway();
     void aCrashedSessionIsOpenedAgain();
+    void aLinkThatOneWindowKeepsIsNotLostByAnother();
     void timesAreSaidAsPeopleSayThem();
 
 private:
@@ -336,6 +338,22 @@ void SessionsTest::aCrashedSessionIsOpenedAgain()
     QTRY_COMPARE_WITH_TIMEOUT(window.shownPage(), PageId::Parameters, patience);
     window.findChild<SessionKeeper *>()->save(true);
     QVERIFY(!SessionBook(sessions()).crashed());
+}
+
+void SessionsTest::aLinkThatOneWindowKeepsIsNotLostByAnother()
+{
+    const QString mine = QStringLiteral("can:can0");
+    const QString theirs = QStringLiteral("serial:/dev/ttyUSB0");
+    const QString later = QStringLiteral("can:can1");
+    Settings settings(true);
+    settings.addLink(mine);
+    const OtherProgram other([theirs] { Settings(true).addLink(theirs); });
+    settings.addLink(later);
+    QCOMPARE(Settings(true).links(), QStringList({mine, theirs, later}));
+    for (const QString &link : {mine, later})
+        settings.removeLink(link);
+    QCOMPARE(Settings(true).links(), QStringList(theirs));
+    settings.removeLink(theirs);
 }
 
 void SessionsTest::timesAreSaidAsPeopleSayThem()

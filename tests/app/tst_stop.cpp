@@ -4,11 +4,13 @@
 
 #include "support/windowtests.h"
 #include "widgets/common/holdbutton.h"
+#include "widgets/common/scanfield.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
 
 #include <QDialog>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -42,6 +44,7 @@ private Q_SLOTS:
     void spaceStopsInAFieldForNumbers();
     void spaceStopsWhateverIsHeldWithItAndPressesNoButton_data();
     void spaceStopsWhateverIsHeldWithItAndPressesNoButton();
+    void spaceIsTextInProductionOnlyWhileAScannerTypes();
     void theButtonStopsOnPress();
     void closingTheWindowStops();
     void aWindowThatHangsStopsTheMotor();
@@ -175,6 +178,28 @@ void StopTest::spaceStopsWhateverIsHeldWithItAndPressesNoButton()
     QSignalSpy pressed(&button, &QPushButton::pressed);
     QTest::keyClick(m_bench->window().windowHandle(), Qt::Key_Space, static_cast<Qt::KeyboardModifier>(held));
     QVERIFY(pressed.isEmpty());
+    verifyStopped(QStringLiteral("Space"));
+}
+
+void StopTest::spaceIsTextInProductionOnlyWhileAScannerTypes()
+{
+    drive();
+    QTest::keyClick(&m_bench->window(), Qt::Key_F11);
+    auto &field = m_bench->part<ScanField>();
+    QTRY_VERIFY(field.isVisible());
+    field.setFocus();
+    const auto press = [&field](int key, const QString &text, unsigned long milliseconds) {
+        QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+        event.setTimestamp(milliseconds);
+        QApplication::sendEvent(&field, &event);
+    };
+    press(Qt::Key_A, QStringLiteral("A"), 10'000);
+    press(Qt::Key_Space, QStringLiteral(" "), 10'049);
+    press(Qt::Key_7, QStringLiteral("7"), 10'098);
+    QCOMPARE(field.text(), QStringLiteral("A 7"));
+    QVERIFY(m_bench->arming().isMoving());
+    press(Qt::Key_Space, QStringLiteral(" "), 10'148);
+    QCOMPARE(field.text(), QStringLiteral("A 7"));
     verifyStopped(QStringLiteral("Space"));
 }
 

@@ -13,6 +13,7 @@
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -140,6 +141,13 @@ void TuneFitTest::theKeysOfTheWindowDoWhatTheySay()
                 QVERIFY2(inspector->isVisible() != seen[1], name);
             else if (key == Qt::Key_F1)
                 QVERIFY2(window.findChild<QDialog *>(QStringLiteral("keys")), name);
+            else if (key == Qt::Key_F2) {
+                auto *const question = window.findChild<QInputDialog *>();
+                QVERIFY2(question, name); // the first unit that can be tuned is selected
+                delete question;
+                QApplication::setActiveWindow(&window);
+            } else if (key == Qt::Key_S) // see tst_history, tst_parameterorders
+                continue;
             else if (key == Qt::Key_F11) {
                 const auto *production = window.findChild<ProductionPage *>();
                 QVERIFY2(production && production->isVisible(), name);

@@ -11,6 +11,8 @@
 #include <QHeaderView>
 
 #include <QFileDialog>
+#include <QScrollBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <set>
 #include <utility>
@@ -45,6 +47,7 @@ private Q_SLOTS:
     void aLoadThatIsNotKnownIsNotZero();
     void theDetailMovesBesideTheIdentifiersWhenNarrow();
     void theDetailIsShortUntilAFrameIsSelected();
+    void theLogStaysWhereSomebodyReadsIt();
     void theOrdersStandInOneLineBesideTheDevices();
     void someFramesAreInSightAtTwiceTheFont();
     void theBusiestIdentifierStandsFirst();
@@ -280,6 +283,26 @@ void BusPageTest::aTimeOfTheLogIsWhole()
     QVERIFY(table->isColumnHidden(NoticeModel::Device));
     QVERIFY(table->columnWidth(NoticeModel::Text) > 180);
     QCOMPARE(table->model()->index(0, NoticeModel::Text).data().toString(), QStringLiteral("DMC60C #5: something"));
+}
+
+void BusPageTest::theLogStaysWhereSomebodyReadsIt()
+{
+    BusBench bench;
+    const auto say = [&bench] { bench.workbench.report(Severity::Info, {}, QStringLiteral("something")); };
+    LogPage log(bench.workbench, bench.theme, nullptr);
+    log.resize(1048, 300);
+    log.show();
+    for (int i = 0; i < 100; ++i)
+        say();
+    QScrollBar &bar = *log.findChild<QTableView *>()->verticalScrollBar();
+    QVERIFY(bar.maximum() > 0);
+    QCOMPARE(bar.value(), bar.maximum());
+    bar.setValue(5);
+    say();
+    QCOMPARE(bar.value(), 5);
+    bar.setValue(bar.maximum());
+    say();
+    QCOMPARE(bar.value(), bar.maximum());
 }
 
 /// The page of a window of 1280×800.

@@ -8,6 +8,7 @@
 
 #include <QFile>
 #include <QLabel>
+#include <QLockFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
@@ -22,6 +23,8 @@ class TestEnvelopes : public QObject {
 private Q_SLOTS:
     void whatWasEnteredIsThereAtTheNextStart();
     void twoWindowsKeepWhatEachHasEntered();
+    void whoTypesALimitWaitsForNoDisk();
+    void limitsThatCannotBeKeptAreTold();
     void namedLimitsAreChosenAgain();
     void limitsGoAlongWhenAUnitTellsItsSerialNumber();
     void whatWasEnteredForNobodyIsNotOfTheNextUnit();
@@ -84,15 +87,50 @@ void TestEnvelopes::twoWindowsKeepWhatEachHasEntered()
     EnvelopeBook one;
     EnvelopeBook other;
     QVERIFY(one.open(file) && other.open(file));
-    QVERIFY(one.enter("x", {500.0, {}, {}, {}}).has_value());
-    QVERIFY(one.keep("x", s("narrow"), {100.0, {}, {}, {}}).has_value());
-    QVERIFY(other.enter("y", {{}, 70'000.0, {}, {}}).has_value());
-    QVERIFY(one.forget("x", s("narrow")).has_value());
+    one.enter("x", {500.0, {}, {}, {}});
+    one.keep("x", s("narrow"), {100.0, {}, {}, {}});
+    other.enter("y", {{}, 70'000.0, {}, {}});
+    one.forget("x", s("narrow"));
+    one.finish();
+    other.finish();
     EnvelopeBook again;
     QVERIFY(again.open(file));
     QCOMPARE(again.entered("x").travel, std::optional(500.0));
     QVERIFY(again.names("x").isEmpty());
     QCOMPARE(again.entered("y").speed, std::optional(70'000.0));
+}
+
+void TestEnvelopes::whoTypesALimitWaitsForNoDisk()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(s("limits.json"));
+    EnvelopeBook book;
+    QVERIFY(book.open(file));
+    {
+        QLockFile another(file + s(".lock")); // a window whose disk is slow
+        QVERIFY(another.tryLock());
+        for (const double travel : {5.0, 50.0, 500.0})
+            book.enter("x", {travel, {}, {}, {}});
+        QVERIFY2(!QFile::exists(file), "the window goes on before anything is written");
+        QCOMPARE(book.entered("x").travel, std::optional(500.0));
+    }
+    book.finish();
+    EnvelopeBook again;
+    QVERIFY(again.open(file));
+    QCOMPARE(again.entered("x").travel, std::optional(500.0));
+}
+
+void TestEnvelopes::limitsThatCannotBeKeptAreTold()
+{
+    const QTemporaryDir folder;
+    const QString inTheWay = folder.filePath(s("file"));
+    QVERIFY(QFile(inTheWay).open(QIODevice::WriteOnly));
+    EnvelopeBook book;
+    QVERIFY(book.open(inTheWay + s("/limits.json")));
+    QSignalSpy failed(&book, &EnvelopeBook::failed);
+    book.enter("x", {500.0, {}, {}, {}});
+    book.finish();
+    QCOMPARE(failed.count(), 1);
 }
 
 void TestEnvelopes::namedLimitsAreChosenAgain()
@@ -167,7 +205,8 @@ void TestEnvelopes::anotherFileIsSaidAndLeftAlone()
     const auto opened = book.open(path);
     QVERIFY(!opened);
     QVERIFY(opened.error().fault == Fault::OutOfRange);
-    QVERIFY(book.enter("unit", {1.0, {}, {}, {}}).has_value()); // for as long as the program runs
+    book.enter("unit", {1.0, {}, {}, {}}); // for as long as the program runs
+    book.finish();
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray("{\"recipe\":1}"));
 }
@@ -175,8 +214,8 @@ void TestEnvelopes::anotherFileIsSaidAndLeftAlone()
 void TestEnvelopes::eachUnitHasItsOwn()
 {
     EnvelopeBook book;
-    QVERIFY(book.enter("a", {100.0, {}, {}, {}}));
-    QVERIFY(book.keep("a", s(" far "), {500.0, {}, {}, {}}));
+    book.enter("a", {100.0, {}, {}, {}});
+    book.keep("a", s(" far "), {500.0, {}, {}, {}});
     QVERIFY(!book.entered("b").travel);
     QVERIFY(book.names("b").isEmpty());
     QCOMPARE(book.names("a"), QStringList{s("far")});

@@ -8,9 +8,11 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/tuneframe.h"
 
+#include <QAbstractItemModelTester>
 #include <QAction>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPointer>
 
 using namespace mb;
 using namespace mb::test;
@@ -28,6 +30,7 @@ private Q_SLOTS:
     void anotherStimulusIsNotDrawnOverB();
     void theGainsOfATrialComeBackAsEdits();
     void theListSortsFiltersStarsAndNotes();
+    void aNoteThatIsBeingWrittenOutlivesTheEndOfATrial();
     void aGuardLatchesTheStopAndSaysItsName();
     void aPartOfAStepIsNotCalledBetterOrWorse();
     void whatIsNoDifferenceTellsTheSpreadThatHidesIt();
@@ -143,6 +146,10 @@ void TestExperiments::whatIsMeasuredIsShownBeforeTheMotorIsBack()
     planned.measured(responseOf(planned.plan, 1, 0.5, bench.unit()));
     QCOMPARE(bench.metric(0, 2), s("16.3")); // the golden overshoot
     QVERIFY(bench.arming.isMoving());
+    tuning::ExperimentPlan ofAnotherLoop = planned.plan;
+    ofAnotherLoop.mode = Mode::Position;
+    bench.page->trials().showMeasured(responseOf(ofAnotherLoop, 1, 0.9, bench.unit()));
+    QCOMPARE(bench.metric(0, 2), s("16.3"));
 }
 
 void TestExperiments::twoTrialsLieOverEachOtherWithTheirDifferenceInWords()
@@ -226,6 +233,34 @@ void TestExperiments::theListSortsFiltersStarsAndNotes()
     QCOMPARE(QString::fromStdString(bench.workbench.book.find(2).note), s("calm"));
     model.setFilter(TrialModel::Filter::All);
     QCOMPARE(model.rowCount(), 3);
+}
+
+void TestExperiments::aNoteThatIsBeingWrittenOutlivesTheEndOfATrial()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    TrialModel &model = bench.page->trials().list().model();
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    for (const double damping : {0.5, 0.9}) {
+        bench.page->run();
+        bench.finish(damping);
+    }
+    QTableView &table = bench.page->trials().list().table();
+    table.edit(model.index(model.rowOf(1), TrialModel::Note));
+    const QPointer<QLineEdit> editor = table.viewport()->findChild<QLineEdit *>();
+    QTest::keyClicks(editor, s("with the belt "));
+    bench.page->run();
+    bench.finish(0.7);
+    QVERIFY(editor && model.rowCount() == 3);
+    QTest::keyClicks(editor, s("off"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_COMPARE(bench.workbench.book.find(1).note, std::string("with the belt off"));
+    bench.workbench.book.remove(2, [](const Result<void> &) {});
+    bench.workbench.book.find(3).note = "of another window";
+    bench.page->trials().reload();
+    QTRY_COMPARE(model.rowCount(), 2);
+    QCOMPARE(model.at(0)->note, std::string("of another window"));
 }
 
 void TestExperiments::aGuardLatchesTheStopAndSaysItsName()

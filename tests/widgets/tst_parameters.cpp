@@ -51,6 +51,7 @@ private Q_SLOTS:
     void undoAfterAWriteStagesTheOldValue();
     void whatAWriteLeftIsTakenBackInTheOrderInWhichItWasStaged();
     void importIsOneStepOfUndo();
+    void anImportOfWhatIsThereIsNoStepOfUndo();
     void limitsComeFirstAndDampingBeforeP();
     void loweringPComesBeforeLoweringD();
     void illegalAndUntickedChangesAreNotWritten();
@@ -219,6 +220,15 @@ void TestParameters::importIsOneStepOfUndo()
     QCOMPARE(edits.count(), 2);
     edits.undoStack().undo();
     QCOMPARE(edits.count(), 0);
+}
+
+void TestParameters::anImportOfWhatIsThereIsNoStepOfUndo()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.stage(named("slot1.p"), QStringLiteral("1"));
+    edits.stageAll({{named("slot1.p"), rawOf("slot1.p", 1)}}, QStringLiteral("file"));
+    QCOMPARE(edits.undoStack().count(), 1);
 }
 
 void TestParameters::limitsComeFirstAndDampingBeforeP()

@@ -2,6 +2,10 @@
 #include "plotbench.h"
 #include "support/fulldisk.h"
 #include "support/windowtests.h"
+
+#include <QDialog>
+#include <QFileDialog>
+#include <QMenu>
 #include <QSet>
 
 using namespace mb;
@@ -14,6 +18,7 @@ private Q_SLOTS:
     void theWholeSessionIsExportedWithItsDevices();
     void anExportHasTheTimesOfBeforeAndAfterTheComputerSlept();
     void axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept();
+    void anExportHasWhatWasSeenWhenItWasOrdered();
     void anExportCanBeCancelled();
     void layoutsComeBack();
     void aLayoutWaitsForItsDevices();
@@ -47,7 +52,7 @@ void TestPlotKeeping::notesStandInThePlotAndInTheFile()
         if (dialog->windowTitle() == s("Note at this time"))
             dialog->close();
     }
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("a.csv"))});
+    bench.page->exportBar().exportSamples({bench.stack().view().range(), false, folder.filePath(s("a.csv"))});
     QFile file(folder.filePath(s("a.csv")));
     QTRY_VERIFY(file.exists());
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -61,7 +66,7 @@ void TestPlotKeeping::theWholeSessionIsExportedWithItsDevices()
     bench.pass(3.0, 60000.0);
     bench.recording.telemetry()->lost(channel("velocity"), 9);
     bench.pass(1.0, 60000.0);
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, true, folder.filePath(s("a.mcap"))});
+    bench.page->exportBar().exportSamples({std::nullopt, true, folder.filePath(s("a.mcap"))});
     QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
     const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
     QVERIFY(loaded);
@@ -87,7 +92,7 @@ void TestPlotKeeping::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
     bench.workbench.slept.look(bench.workbench.time + 1ms, 3600s);
     bench.pass(1.0, 60000.0);
     const Instant after = bench.workbench.time;
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.mcap"))});
+    bench.page->exportBar().exportSamples({std::nullopt, false, folder.filePath(s("a.mcap"))});
     QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
     const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
     QVERIFY(loaded);
@@ -126,6 +131,45 @@ void TestPlotKeeping::axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept()
     QCOMPARE(early.secsTo(QTime::fromString(labelAt(before + step), s("HH:mm:ss"))), 600 + 2 * 20);
 }
 
+void TestPlotKeeping::anExportHasWhatWasSeenWhenItWasOrdered()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.pass(12.0, 60000.0);
+    QMenu menu;
+    bench.page->fillExportMenu(menu);
+    const auto order = [&menu](const char *entry) {
+        for (QAction *action : menu.actions()) {
+            if (action->text() == s(entry))
+                action->trigger();
+        }
+    };
+    const auto [from, to] = bench.stack().view().range();
+    const QByteArray seen = bench.stack().exporter().contentAs(s("svg"));
+    order("Export SVG…");
+    auto *drawing = bench.page->findChild<QFileDialog *>();
+    bench.pass(8.0, 0.0);
+    Q_EMIT drawing->fileSelected(folder.filePath(s("a.svg")));
+    QFile file(folder.filePath(s("a.svg")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll() == seen);
+    QVERIFY(bench.stack().exporter().contentAs(s("svg")) != seen);
+    delete drawing;
+
+    bench.stack().view().setRange(from, to);
+    order("Export samples…");
+    auto *choice = bench.page->findChild<QDialog *>();
+    bench.stack().view().setLive(true);
+    bench.pass(8.0, 0.0);
+    choice->accept();
+    bench.pass(8.0, 0.0);
+    Q_EMIT bench.page->findChild<QFileDialog *>()->fileSelected(folder.filePath(s("a.mcap")));
+    QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
+    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
+    QVERIFY(loaded);
+    QVERIFY(plotKey((*loaded)->first) >= from - 0.1 && plotKey((*loaded)->last) <= to + 0.1);
+}
+
 void TestPlotKeeping::anExportCanBeCancelled()
 {
     PlotBench bench;
@@ -134,7 +178,7 @@ void TestPlotKeeping::anExportCanBeCancelled()
         bench.recording.telemetry()->append({channel("velocity"), bench.workbench.time + i * 1ms, 1.0});
     bench.recording.telemetry()->commit();
     bench.workbench.time += 400s;
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.csv"))});
+    bench.page->exportBar().exportSamples({std::nullopt, false, folder.filePath(s("a.csv"))});
     for (QPushButton *button : bench.page->findChildren<QPushButton *>()) {
         if (button->text() == s("Cancel"))
             button->click();
@@ -229,6 +273,8 @@ void TestPlotKeeping::theScrubberScrollsBackWhileRecording()
     PlotBench bench;
     bench.pass(120.0, 60000.0);
     auto *scrubber = bench.page->findChild<PlotScrubber *>();
+    QTest::mouseClick(scrubber, Qt::RightButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
+    QVERIFY(bench.stack().view().isLive());
     QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
     QVERIFY(!bench.stack().view().isLive());
     const auto [from, to] = bench.stack().view().range();

@@ -61,6 +61,11 @@ PageKeys::PageKeys(QWidget &page)
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) { followFocus(now); });
 }
 
+PageKeys *PageKeys::of(const QWidget &page)
+{
+    return page.findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+}
+
 void PageKeys::add(std::vector<QKeySequence> keys, const QString &does, std::function<void()> act)
 {
     Row row{keys, does, {}, std::move(keys), {}};
@@ -152,7 +157,7 @@ QString keyShown(const QWidget &button, const QString &factory)
 {
     const QKeySequence came(factory, QKeySequence::PortableText);
     for (const QWidget *around = &button; around && !factory.isEmpty(); around = around->parentWidget()) {
-        const auto *keys = around->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+        const PageKeys *const keys = PageKeys::of(*around);
         for (const PageKeys::Row &row : keys ? keys->rows() : std::vector<PageKeys::Row>()) {
             const bool its = std::ranges::find(row.factory, came) != row.factory.end();
             if (its && row.isChangeable())

@@ -39,6 +39,8 @@ public:
     };
 
     explicit PageKeys(QWidget &page);
+    /// Those of a page or of the window; nullptr: it has none.
+    [[nodiscard]] static PageKeys *of(const QWidget &page);
 
     /// Acts on press, once, however long it is held.
     void add(std::vector<QKeySequence> keys, const QString &does, std::function<void()> act);

@@ -7,7 +7,7 @@
 namespace mb {
 namespace {
 
-constexpr double text = 4.5;  ///< contrast that text needs
+constexpr double words = 4.5; ///< contrast that text needs
 constexpr double bold = 7.0;  ///< the same for eyes that need more
 constexpr double shape = 3.0; ///< edges of controls, and traces a little more
 constexpr double trace = 3.4;
@@ -67,7 +67,7 @@ void setSurfaces(Theme &t, const QPalette &palette, bool high)
     t.control = surface(palette.color(QPalette::Active, QPalette::Button), t.text, t.window);
     t.panel = high ? t.canvas : mixed(t.window, t.canvas, 0.5);
     t.head = t.canvas;
-    t.hover = groundFor(mixed(t.control, t.text, 0.15), t.control, {t.text}, high ? bold : text);
+    t.hover = groundFor(mixed(t.control, t.text, 0.15), t.control, {t.text}, high ? bold : words);
     t.line = mixed(t.window, t.text, high ? 0.6 : 0.2);
     t.grid = mixed(t.canvas, t.text, high ? 0.3 : 0.1);
 }
@@ -78,7 +78,7 @@ void setInks(Theme &t, const QPalette &palette, double least)
         return legible(ink, {t.window, t.canvas, t.head, t.panel, t.control, t.hover}, least);
     };
     t.outline
-        = legible(mixed(t.window, t.text, 0.5), {t.window, t.canvas, t.head, t.panel}, least > text ? text : shape);
+        = legible(mixed(t.window, t.text, 0.5), {t.window, t.canvas, t.head, t.panel}, least > words ? words : shape);
     t.text = onAll(t.text);
     t.dim = onAll(mixed(t.text, t.window, 0.25));
     t.faint = onAll(mixed(t.text, t.window, 0.4));
@@ -120,7 +120,7 @@ bool isHighContrast(const QPalette &palette)
 Theme systemTheme(const QPalette &palette, double bodyPointSize)
 {
     const bool high = isHighContrast(palette);
-    const double least = high ? bold : text;
+    const double least = high ? bold : words;
     const QColor window = palette.color(QPalette::Active, QPalette::Window);
     Theme t = opposite(window) == QColor(Qt::white) ? darkTheme(bodyPointSize) : lightTheme(bodyPointSize);
     t.name = systemThemeName();
@@ -128,7 +128,7 @@ Theme systemTheme(const QPalette &palette, double bodyPointSize)
     setInks(t, palette, least);
     setGrounds(t, palette, least);
     for (QColor &colour : t.traces)
-        colour = legible(colour, {t.canvas}, high ? text : trace);
+        colour = legible(colour, {t.canvas}, high ? words : trace);
     return t;
 }
 

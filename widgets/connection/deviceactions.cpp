@@ -91,7 +91,7 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
 void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
 {
     const DeviceView *device = workbench.snapshot().device(id);
-    if (!device)
+    if (!device || !device->family->capabilities.rename)
         return;
     const QString label = titleOf(*device);
     QInputDialog *dialog = ask(parent, DeviceActions::tr("Rename %1").arg(label),

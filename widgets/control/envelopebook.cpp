@@ -2,6 +2,7 @@
 #include "widgets/control/envelopebook.h"
 
 #include "files/filebytes.h"
+#include "widgets/common/devicetext.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -16,7 +17,7 @@ namespace mb {
 namespace {
 
 constexpr std::int64_t largestFile = 1'000'000;
-constexpr int lockTime = 500; ///< ms
+constexpr int lockTime = 5000; ///< ms
 
 const QLatin1String kindKey("motorbench");
 const QLatin1String fileKind("experiment limits");
@@ -60,10 +61,25 @@ Result<QJsonObject> unitsIn(const QString &file)
     return all.value(unitsKey).toObject();
 }
 
+/// Another window may have entered something for other units since the file was read.
+Result<void> writeUnit(const QString &file, const QString &name, const QJsonObject &unit)
+{
+    QDir().mkpath(QFileInfo(file).path());
+    QLockFile lock(file + QStringLiteral(".lock"));
+    (void)lock.tryLock(lockTime); // where none can be made nobody else writes either
+    Result<QJsonObject> units = unitsIn(file);
+    if (!units)
+        return fail(units.error());
+    units->insert(name, unit);
+    return saveFile(
+        file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, *units}}).toJson());
+}
+
 } // namespace
 
 Result<void> EnvelopeBook::open(const QString &file)
 {
+    finish();
     m_file.clear(); // what is not ours is not written over
     m_units.clear();
     const Result<QJsonObject> units = unitsIn(file);
@@ -81,24 +97,22 @@ Result<void> EnvelopeBook::open(const QString &file)
     return {};
 }
 
-/// Another window may have entered something for other units since the file was read.
-Result<void> EnvelopeBook::write(const std::string &name) const
+void EnvelopeBook::write(const std::string &name)
 {
     if (m_file.isEmpty())
-        return {};
-    QDir().mkpath(QFileInfo(m_file).path());
-    QLockFile lock(m_file + QStringLiteral(".lock"));
-    (void)lock.tryLock(lockTime); // where none can be made nobody else writes either
-    Result<QJsonObject> units = unitsIn(m_file);
-    if (!units)
-        return fail(units.error());
+        return;
     const Unit &unit = m_units.at(name);
     QJsonObject named;
     for (const auto &[title, limits] : unit.named)
         named.insert(title, toJson(limits));
-    units->insert(QString::fromStdString(name), QJsonObject{{enteredKey, toJson(unit.entered)}, {namedKey, named}});
-    return saveFile(
-        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, *units}}).toJson());
+    const QString key = QString::fromStdString(name);
+    const QJsonObject object{{enteredKey, toJson(unit.entered)}, {namedKey, named}};
+    m_disk.order(
+        key, [file = m_file, key, object] { return writeUnit(file, key, object); },
+        [this](const Result<void> &written) {
+            if (!written)
+                Q_EMIT failed(errorText(written.error()));
+        });
 }
 
 Envelope EnvelopeBook::entered(const std::string &unit) const
@@ -107,22 +121,22 @@ Envelope EnvelopeBook::entered(const std::string &unit) const
     return found == m_units.end() ? Envelope() : found->second.entered;
 }
 
-Result<void> EnvelopeBook::enter(const std::string &unit, const Envelope &limits)
+void EnvelopeBook::enter(const std::string &unit, const Envelope &limits)
 {
     if (unit.empty() || entered(unit) == limits)
-        return {};
+        return;
     m_units[unit].entered = limits;
-    return write(unit);
+    write(unit);
 }
 
-Result<void> EnvelopeBook::carry(const std::string &from, const std::string &to)
+void EnvelopeBook::carry(const std::string &from, const std::string &to)
 {
     const auto found = m_units.find(from);
     if (to.empty() || found == m_units.end() || m_units.count(to) > 0)
-        return {};
+        return;
     const Unit unit = found->second;
     m_units.emplace(to, unit);
-    return write(to);
+    write(to);
 }
 
 QStringList EnvelopeBook::names(const std::string &unit) const
@@ -145,20 +159,19 @@ Envelope EnvelopeBook::named(const std::string &unit, const QString &name) const
     return limits == found->second.named.end() ? Envelope() : limits->second;
 }
 
-Result<void> EnvelopeBook::keep(const std::string &unit, const QString &name, const Envelope &limits)
+void EnvelopeBook::keep(const std::string &unit, const QString &name, const Envelope &limits)
 {
     if (unit.empty() || name.trimmed().isEmpty())
-        return {};
+        return;
     m_units[unit].named[name.trimmed()] = limits;
-    return write(unit);
+    write(unit);
 }
 
-Result<void> EnvelopeBook::forget(const std::string &unit, const QString &name)
+void EnvelopeBook::forget(const std::string &unit, const QString &name)
 {
     const auto found = m_units.find(unit);
-    if (found == m_units.end() || found->second.named.erase(name) == 0)
-        return {};
-    return write(unit);
+    if (found != m_units.end() && found->second.named.erase(name) > 0)
+        write(unit);
 }
 
 } // namespace mb

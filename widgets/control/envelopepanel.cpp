@@ -73,10 +73,14 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
     m_saved = new SavedLimits(theme, m_box);
     grid->addWidget(m_saved, static_cast<int>(bounds.size()), 0, 1, 3);
     connect(m_saved, &SavedLimits::chosen, this, [this](const QString &name) { take(m_book->named(m_unit, name)); });
-    connect(m_saved, &SavedLimits::keepRequested, this,
-        [this](const QString &name) { told(m_book->keep(m_unit, name, m_entered)); });
-    connect(m_saved, &SavedLimits::forgetRequested, this,
-        [this](const QString &name) { told(m_book->forget(m_unit, name)); });
+    connect(m_saved, &SavedLimits::keepRequested, this, [this](const QString &name) {
+        m_book->keep(m_unit, name, m_entered);
+        m_saved->setNames(m_book->names(m_unit));
+    });
+    connect(m_saved, &SavedLimits::forgetRequested, this, [this](const QString &name) {
+        m_book->forget(m_unit, name);
+        m_saved->setNames(m_book->names(m_unit));
+    });
     column->addWidget(m_head, 0, Qt::AlignLeft);
     column->addWidget(m_box);
     column->addWidget(m_words); // below what is typed into: it comes and goes with what is typed
@@ -106,9 +110,9 @@ void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
     if (unit == m_unit && (sameDevice || !unit.empty()))
         return look(); // the other page may have changed it
     if (sameDevice && !m_unit.empty())
-        told(m_book->carry(m_unit, unit));
+        m_book->carry(m_unit, unit);
     else if (sameDevice && m_book->entered(unit) == Envelope())
-        told(m_book->enter(unit, m_entered));
+        m_book->enter(unit, m_entered);
     m_unit = unit;
     m_saved->setNames(m_book->names(unit));
     look(!sameDevice);
@@ -131,15 +135,8 @@ void EnvelopePanel::take(const Envelope &limits)
 {
     m_entered = limits;
     write();
-    told(m_book->enter(m_unit, m_entered));
+    m_book->enter(m_unit, m_entered);
     Q_EMIT changed();
-}
-
-void EnvelopePanel::told(const Result<void> &result)
-{
-    m_saved->setNames(m_book->names(m_unit));
-    if (!result)
-        Q_EMIT failed(errorText(result.error()));
 }
 
 void EnvelopePanel::write(bool all)
@@ -160,7 +157,7 @@ void EnvelopePanel::read(std::size_t at)
     const Reading typed = readingOf(at);
     m_entered.*bounds[at].of.value = typed.good ? typed.value : m_rows[at].before;
     judge();
-    told(m_book->enter(m_unit, m_entered));
+    m_book->enter(m_unit, m_entered);
     Q_EMIT changed();
 }
 

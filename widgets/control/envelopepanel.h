@@ -43,8 +43,6 @@ public:
 
 Q_SIGNALS:
     void changed();
-    /// What could not be written.
-    void failed(const QString &cause);
 
 private:
     struct Row {
@@ -65,7 +63,6 @@ private:
     void say();
     void take(const Envelope &limits);
     void look(bool all = false);
-    void told(const Result<void> &result);
 
     const ThemeSource &m_theme;
     EnvelopeBook m_own;

@@ -222,13 +222,15 @@ void TrialList::setTrials(std::vector<KeptTrial> trials)
     const qint64 before = current();
     m_model->setTrials(std::move(trials));
     const int row = m_model->rowOf(before);
-    if (row >= 0)
+    if (row >= 0 && current() != before)
         m_table->selectRow(row);
+    say();
 }
 
 void TrialList::setLetters(std::int64_t a, std::int64_t b)
 {
     m_model->setLetters(a, b);
+    m_table->viewport()->update(); // not as changed data, which would take the words of a note that is being written
 }
 
 void TrialList::setTrouble(const QString &text)

@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <iterator>
+#include <map>
+#include <set>
 
 namespace mb {
 namespace {
@@ -42,6 +44,32 @@ QString gainText(std::optional<double> gain)
     if (!gain)
         return {};
     return *gain == 0.0 ? QStringLiteral("0") : formatSignificant(*gain, 4);
+}
+
+bool passes(const KeptTrial &kept, TrialModel::Filter filter)
+{
+    return filter == TrialModel::Filter::All
+        || (filter == TrialModel::Filter::Starred ? kept.star : TrialModel::isClean(kept.trial));
+}
+
+QVariant toneOf(const KeptTrial &kept, int column, const Theme &theme)
+{
+    if (column == TrialModel::Flags)
+        return theme.tone(kept.trial.has(tuning::flag::aborted) ? Tone::Danger : Tone::Caution);
+    if (column == TrialModel::Use)
+        return theme.accent;
+    if (column == TrialModel::Time || column == TrialModel::Note)
+        return theme.tone(Tone::Dim);
+    return {};
+}
+
+/// A shape beside the words, never colour alone.
+QVariant flagIcon(const KeptTrial &kept, const Theme &theme)
+{
+    if (kept.trial.flags.empty())
+        return {};
+    const bool stopped = kept.trial.has(tuning::flag::aborted);
+    return glyphIcon(stopped ? GlyphState::Fault : GlyphState::Warning, theme);
 }
 
 } // namespace
@@ -90,11 +118,6 @@ bool TrialModel::isClean(const tuning::Trial &trial)
         && !trial.has(tuning::flag::saturated) && !trial.has(tuning::flag::currentLimit);
 }
 
-bool TrialModel::passes(const KeptTrial &kept, Filter filter)
-{
-    return filter == Filter::All || (filter == Filter::Starred ? kept.star : isClean(kept.trial));
-}
-
 int TrialModel::countOf(Filter filter) const
 {
     return static_cast<int>(
@@ -103,8 +126,63 @@ int TrialModel::countOf(Filter filter) const
 
 void TrialModel::setTrials(std::vector<KeptTrial> trials)
 {
+    if (m_rows.empty() || trials.empty()) {
+        m_trials = std::move(trials);
+        return arrange();
+    }
+    const std::vector<std::size_t> rows = arranged(trials);
+    removeAllBut(trials, rows);
+    std::map<std::int64_t, std::string> notes; // of what is listed
+    for (int row = 0; row < rowCount(); ++row)
+        notes[at(row)->number] = at(row)->note;
+    std::vector<std::size_t> stay;
+    std::ranges::copy_if(
+        rows, std::back_inserter(stay), [&](std::size_t i) { return notes.count(trials[i].number) > 0; });
+    move(std::move(trials), std::move(stay));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const int row = static_cast<int>(i);
+        if (i < m_rows.size() && m_rows[i] == rows[i])
+            continue;
+        beginInsertRows({}, row, row);
+        m_rows.insert(m_rows.begin() + row, rows[i]);
+        endInsertRows();
+    }
+    Q_EMIT dataChanged(index(0, Star), index(rowCount() - 1, Star));
+    for (int row = 0; row < rowCount(); ++row) {
+        if (const auto note = notes.find(at(row)->number); note != notes.end() && note->second != at(row)->note)
+            Q_EMIT dataChanged(index(row, Note), index(row, Note));
+    }
+}
+
+void TrialModel::removeAllBut(const std::vector<KeptTrial> &trials, const std::vector<std::size_t> &rows)
+{
+    std::set<std::int64_t> stay;
+    for (const std::size_t i : rows)
+        stay.insert(trials[i].number);
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        if (stay.count(at(row)->number) > 0)
+            continue;
+        beginRemoveRows({}, row, row);
+        m_rows.erase(m_rows.begin() + row);
+        endRemoveRows();
+    }
+}
+
+/// What is listed already, in the order of `rows`.
+void TrialModel::move(std::vector<KeptTrial> trials, std::vector<std::size_t> rows)
+{
+    Q_EMIT layoutAboutToBeChanged({}, VerticalSortHint);
+    const QModelIndexList before = persistentIndexList();
+    std::vector<std::int64_t> numbers;
+    for (const QModelIndex &index : before)
+        numbers.push_back(at(index.row())->number);
     m_trials = std::move(trials);
-    arrange();
+    m_rows = std::move(rows);
+    QModelIndexList after;
+    for (int i = 0; i < before.size(); ++i)
+        after << index(rowOf(numbers[static_cast<std::size_t>(i)]), before[i].column());
+    changePersistentIndexList(before, after);
+    Q_EMIT layoutChanged({}, VerticalSortHint);
 }
 
 void TrialModel::setUnits(const DisplayUnits &units)
@@ -112,7 +190,7 @@ void TrialModel::setUnits(const DisplayUnits &units)
     if (units == m_units)
         return;
     m_units = units;
-    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    Q_EMIT dataChanged(index(0, Stimulus), index(rowCount() - 1, Stimulus));
 }
 
 void TrialModel::setFilter(Filter filter)
@@ -128,27 +206,34 @@ void TrialModel::setLetters(std::int64_t a, std::int64_t b)
     m_a = a;
     m_b = b;
     if (rowCount() > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        Q_EMIT dataChanged(index(0, Number), index(rowCount() - 1, Number));
 }
 
 void TrialModel::arrange()
 {
     beginResetModel();
-    m_rows.clear();
-    for (std::size_t i = 0; i < m_trials.size(); ++i) {
-        if (passes(m_trials[i], m_filter))
-            m_rows.push_back(i);
+    m_rows = arranged(m_trials);
+    endResetModel();
+}
+
+/// Places of what is listed, row by row.
+std::vector<std::size_t> TrialModel::arranged(const std::vector<KeptTrial> &trials) const
+{
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (passes(trials[i], m_filter))
+            rows.push_back(i);
     }
-    std::vector<std::optional<double>> keys(m_trials.size());
-    for (const std::size_t i : m_rows)
-        keys[i] = sortKey(m_trials[i]);
+    std::vector<std::optional<double>> keys(trials.size());
+    for (const std::size_t i : rows)
+        keys[i] = sortKey(trials[i]);
     const bool up = m_order == Qt::AscendingOrder;
-    std::ranges::stable_sort(m_rows, [&keys, up](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(rows, [&keys, up](std::size_t a, std::size_t b) {
         if (!keys[a] || !keys[b])
             return keys[a].has_value() && !keys[b].has_value();
         return up ? *keys[a] < *keys[b] : *keys[a] > *keys[b];
     });
-    endResetModel();
+    return rows;
 }
 
 std::optional<double> TrialModel::sortKey(const KeptTrial &kept) const
@@ -254,27 +339,6 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
     }
 }
 
-QVariant TrialModel::toneOf(const KeptTrial &kept, int column) const
-{
-    const Theme &theme = m_theme.theme();
-    if (column == Flags)
-        return theme.tone(kept.trial.has(tuning::flag::aborted) ? Tone::Danger : Tone::Caution);
-    if (column == Use)
-        return theme.accent;
-    if (column == Time || column == Note)
-        return theme.tone(Tone::Dim);
-    return {};
-}
-
-/// A shape beside the words, never colour alone.
-QVariant TrialModel::flagIcon(const KeptTrial &kept) const
-{
-    if (kept.trial.flags.empty())
-        return {};
-    const bool stopped = kept.trial.has(tuning::flag::aborted);
-    return glyphIcon(stopped ? GlyphState::Fault : GlyphState::Warning, m_theme.theme());
-}
-
 QVariant TrialModel::data(const QModelIndex &index, int role) const
 {
     const KeptTrial *const kept = at(index.row());
@@ -288,7 +352,7 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
     case Qt::EditRole: return textOf(*kept, column);
     case Qt::DecorationRole:
         if (column == Flags)
-            return flagIcon(*kept);
+            return flagIcon(*kept, m_theme.theme());
         return column == Star ? QVariant(symbolIcon(kept->star ? Symbol::StarFilled : Symbol::Star, m_theme.theme(),
                    kept->star ? Tone::Caution : Tone::Faint))
                               : QVariant();
@@ -305,7 +369,7 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
     case Qt::TextAlignmentRole:
         return static_cast<int>(
             (column >= GainP && column <= Peak ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    case Qt::ForegroundRole: return toneOf(*kept, column);
+    case Qt::ForegroundRole: return toneOf(*kept, column, m_theme.theme());
     case Qt::BackgroundRole: return lettered ? QVariant(m_theme.theme().sel) : QVariant();
     case Qt::FontRole: {
         QFont bold;
@@ -329,6 +393,8 @@ bool TrialModel::setData(const QModelIndex &index, const QVariant &value, int ro
 
 Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
 {
+    if (!index.isValid())
+        return Qt::NoItemFlags;
     const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
     return index.column() == Note ? flags | Qt::ItemIsEditable : flags;
 }

@@ -44,10 +44,11 @@ public:
 
     /// Whose gains are shown; nullptr: nobody's.
     void setFamily(const Family *family);
+    /// Rows that stay are the same rows to a view: a note that is being written there goes on.
     void setTrials(std::vector<KeptTrial> trials);
     void setUnits(const DisplayUnits &units);
     void setFilter(Filter filter);
-    /// Which rows carry the letters A and B; 0: none.
+    /// Which rows carry the letters A and B; 0: none. A view has to paint those rows anew.
     void setLetters(std::int64_t a, std::int64_t b);
     [[nodiscard]] const std::vector<KeptTrial> &trials() const { return m_trials; }
     [[nodiscard]] int countOf(Filter filter) const;
@@ -78,11 +79,11 @@ Q_SIGNALS:
 
 private:
     void arrange();
-    [[nodiscard]] static bool passes(const KeptTrial &kept, Filter filter);
+    [[nodiscard]] std::vector<std::size_t> arranged(const std::vector<KeptTrial> &trials) const;
+    void removeAllBut(const std::vector<KeptTrial> &trials, const std::vector<std::size_t> &rows);
+    void move(std::vector<KeptTrial> trials, std::vector<std::size_t> rows);
     [[nodiscard]] std::optional<double> sortKey(const KeptTrial &kept) const;
     [[nodiscard]] QString textOf(const KeptTrial &kept, int column) const;
-    [[nodiscard]] QVariant flagIcon(const KeptTrial &kept) const;
-    [[nodiscard]] QVariant toneOf(const KeptTrial &kept, int column) const;
 
     const ThemeSource &m_theme;
     DisplayUnits m_units;

@@ -2,10 +2,10 @@
 #include "widgets/control/trialorders.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/control/triallist.h"
 
-#include <QFileDialog>
 #include <QPointer>
 #include <QStandardPaths>
 
@@ -43,21 +43,16 @@ void TrialOrders::failed(const Result<void> &result)
 /// Every trial of this loop; the rest of the notebook is the console's.
 void TrialOrders::exportAll()
 {
-    auto *dialog = new QFileDialog(&m_list, tr("Export trials"),
-        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("Table (*.csv);;JSON (*.json)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
-        m_notebook.exportTo(
-            path, m_list.model().trials(), [self = QPointer<TrialOrders>(this), path](const Result<void> &result) {
-                if (self && result)
-                    self->m_workbench.report(Severity::Good, {}, TrialOrders::tr("trials written to %1").arg(path));
-                else if (self)
-                    self->failed(result);
-            });
-    });
-    dialog->open();
+    const auto write = [this, trials = m_list.model().trials()](const QString &path) {
+        m_notebook.exportTo(path, trials, [self = QPointer<TrialOrders>(this), path](const Result<void> &result) {
+            if (self && result)
+                self->m_workbench.report(Severity::Good, {}, TrialOrders::tr("trials written to %1").arg(path));
+            else if (self)
+                self->failed(result);
+        });
+    };
+    askWhereToSave(m_list, tr("Export trials"), tr("Table (*.csv);;JSON (*.json)"),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), write);
 }
 
 } // namespace mb

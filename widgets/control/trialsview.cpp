@@ -254,6 +254,8 @@ void TrialsView::pinCurrent()
 
 void TrialsView::showMeasured(const tuning::Trial &trial)
 {
+    if (trial.mode != m_mode || trial.axis != m_axis)
+        return; // another loop was chosen while it ran
     m_pair.measured(trial);
     draw();
 }

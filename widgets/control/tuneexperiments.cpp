@@ -30,9 +30,6 @@ TuneExperiments::TuneExperiments(
     , m_theme(theme)
     , m_page(page)
 {
-    connect(&parts.column->envelope(), &EnvelopePanel::failed, this, [this](const QString &cause) {
-        m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
-    });
 }
 
 ExperimentWish TuneExperiments::wishOf(const DeviceView &view, int axis) const

@@ -84,16 +84,6 @@ std::optional<PageStatus> TuneGains::obstacle(const DeviceView &view) const
     return std::nullopt;
 }
 
-void TuneGains::readOnce(const DeviceView &view)
-{
-    const bool unknown = std::all_of(view.parameters->begin(), view.parameters->end(),
-        [](const auto &entry) { return entry.state == ParameterState::Unknown; });
-    const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
-    if (!unknown || !ready || operation(view) || !m_asked.insert(view.id).second)
-        return;
-    m_workbench.send(orders::ReadParameters{view.id});
-}
-
 void TuneGains::write(std::function<void()> next)
 {
     const TuneMotor motor = m_choices.shown();

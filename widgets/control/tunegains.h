@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 
 namespace mb {
 
@@ -22,8 +21,6 @@ public:
 
     /// Shows the rows of mode and slot, anew where anything of them is different.
     void follow(const DeviceView &view);
-    /// Reads the parameters of a device of which nothing is known; once.
-    void readOnce(const DeviceView &view);
     /// Whether they can be written now, and where to.
     void showWriteRow(const DeviceView &view);
     /// What of the gains keeps the motor from a run; nothing: nothing.
@@ -66,7 +63,6 @@ private:
     Arming &m_arming;
     TuneChoices &m_choices;
     TuneColumn &m_column;
-    std::set<DeviceId> m_asked;
     bool m_writing = false;
     std::optional<Shown> m_shown;
 };

@@ -25,6 +25,7 @@
 #include "widgets/control/tunekeys.h"
 #include "widgets/control/tuneplot.h"
 #include "widgets/control/tunesteps.h"
+#include "widgets/parameters/editdesk.h"
 
 #include <QStackedWidget>
 
@@ -200,7 +201,7 @@ void TunePage::followDevice(const DeviceView &view)
     m_motion->follow(view);
     m_axes->follow(view);
     if (isVisible())
-        m_gains->readOnce(view);
+        EditDesk::of(m_workbench).readOnce(view);
     m_gains->follow(view);
     column().movesPanel().follow(view);
     if (!isLive())

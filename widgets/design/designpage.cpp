@@ -87,9 +87,6 @@ void DesignPage::connectOrders()
     connect(m_orders, &DesignOrders::autotuneRequested, this, &DesignPage::autotune);
     connect(m_orders, &DesignOrders::proveRequested, this, &DesignPage::prove);
     connect(m_envelope, &EnvelopePanel::changed, this, &DesignPage::follow);
-    connect(m_envelope, &EnvelopePanel::failed, this, [this](const QString &cause) {
-        m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
-    });
     connect(m_sweep, &SweepPanel::measured, this, [this](const DesignPlace &place, const auto &response) {
         m_book.keepResponse(place, response);
         m_proposals->showChosen();

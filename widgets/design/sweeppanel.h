@@ -4,6 +4,7 @@
 #include "tuning/autotune.h"
 #include "tuning/frequencyresponse.h"
 #include "widgets/control/arming.h"
+#include "widgets/design/designbook.h"
 
 #include <QWidget>
 

@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/turningsplitter.h"
@@ -18,7 +19,6 @@
 #include "widgets/service/recipeeditor.h"
 #include "widgets/service/verdictof.h"
 
-#include <QFileDialog>
 #include <QPointer>
 #include <QSplitter>
 
@@ -295,12 +295,8 @@ void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
 
 void QueueBoard::askSave()
 {
-    auto *dialog = new QFileDialog(this, tr("Save what was done"), QStringLiteral("queue.csv"), tr("Table (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, &QueueBoard::save);
-    dialog->open();
+    askWhereToSave(*this, tr("Save what was done"), tr("Table (*.csv)"), QStringLiteral("queue.csv"),
+        [this](const QString &path) { save(path); });
 }
 
 void QueueBoard::save(const QString &path)

@@ -2,12 +2,12 @@
 #include "widgets/firmware/queuehead.h"
 
 #include "widgets/common/captioned.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/firmware/queuerecipe.h"
 #include "widgets/service/recipetext.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 
@@ -66,21 +66,14 @@ void QueueHead::setChoosing(bool on)
 
 void QueueHead::askImage()
 {
-    auto *dialog
-        = new QFileDialog(this, tr("Open a firmware image"), QString(), tr("Intel HEX (*.hex *.ihex);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &QueueHead::imageChosen);
-    dialog->open();
+    askForFile(*this, tr("Open a firmware image"), tr("Intel HEX (*.hex *.ihex);;All files (*)"), {},
+        [this](const QString &path) { Q_EMIT imageChosen(path); });
 }
 
 void QueueHead::askRecipe()
 {
-    auto *dialog = new QFileDialog(this, tr("Open recipe"), QString(), tr("Recipes (*.json);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &QueueHead::recipeChosen);
-    dialog->open();
+    askForFile(*this, tr("Open recipe"), tr("Recipes (*.json);;All files (*)"), {},
+        [this](const QString &path) { Q_EMIT recipeChosen(path); });
 }
 
 } // namespace mb

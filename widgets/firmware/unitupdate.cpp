@@ -2,6 +2,7 @@
 #include "widgets/firmware/unitupdate.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -16,7 +17,6 @@
 #include "widgets/firmware/updatelog.h"
 #include "widgets/firmware/updateside.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressBar>
 
@@ -445,12 +445,8 @@ void UnitUpdate::followSafety(const OperationView *operation)
 
 void UnitUpdate::askImage()
 {
-    auto *dialog = new QFileDialog(this, tr("Open a firmware image"), QFileInfo(m_image.path()).path(),
-        tr("Intel HEX (*.hex *.ihex);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, &UnitUpdate::loadImage);
-    dialog->open();
+    askForFile(*this, tr("Open a firmware image"), tr("Intel HEX (*.hex *.ihex);;All files (*)"),
+        QFileInfo(m_image.path()).path(), [this](const QString &path) { loadImage(path); });
 }
 
 } // namespace mb

@@ -4,11 +4,11 @@
 #include "files/filebytes.h"
 #include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/theme.h"
 
-#include <QFileDialog>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
@@ -88,15 +88,12 @@ QString UpdateLog::text() const
 
 void UpdateLog::askSave()
 {
-    auto *dialog = new QFileDialog(
-        this, tr("Save the log of the update"), QStringLiteral("update.log"), tr("Text (*.log *.txt)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    connect(dialog, &QFileDialog::fileSelected, this, [this, said = text()](const QString &path) {
+    const auto save = [this, said = text()](const QString &path) {
         if (const auto saved = saveFile(path.toStdString(), said.toUtf8()); !saved)
             m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
-    });
-    dialog->open();
+    };
+    askWhereToSave(
+        *this, tr("Save the log of the update"), tr("Text (*.log *.txt)"), QStringLiteral("update.log"), save);
 }
 
 } // namespace mb

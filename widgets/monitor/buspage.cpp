@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -23,7 +24,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QStackedWidget>
 
 #include <algorithm>
@@ -288,13 +288,8 @@ QString BusPage::selectedText() const
 
 void BusPage::askWhereTo(bool all)
 {
-    auto *dialog = new QFileDialog(this, all ? tr("Export all frames") : tr("Export the frames that are shown"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(tr("candump log (*.log)"));
-    dialog->setDefaultSuffix(QStringLiteral("log"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, all](const QString &path) { exportTo(path, all); });
-    dialog->open();
+    askWhereToSave(*this, all ? tr("Export all frames") : tr("Export the frames that are shown"),
+        tr("candump log (*.log)"), {}, [this, all](const QString &path) { exportTo(path, all); });
 }
 
 void BusPage::exportTo(const QString &path, bool all)

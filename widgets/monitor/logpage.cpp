@@ -6,6 +6,7 @@
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/searchfield.h"
@@ -13,8 +14,8 @@
 #include "widgets/common/wraplayout.h"
 #include "widgets/monitor/noticemodel.h"
 
-#include <QFileDialog>
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
@@ -120,9 +121,14 @@ void LogPage::buildTable()
     m_states->addWidget(m_table);
     static_cast<QVBoxLayout *>(layout())->addWidget(m_states, 1);
     const auto show = [this] { m_states->setCurrentIndex(m_model->rowCount() > 0 ? 1 : 0); };
+    connect(m_model, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
+        const QScrollBar &bar = *m_table->verticalScrollBar();
+        m_follows = bar.value() == bar.maximum(); // else somebody reads what was before
+    });
     connect(m_model, &QAbstractItemModel::rowsInserted, this, [this, show] {
         show();
-        m_table->scrollToBottom();
+        if (m_follows)
+            m_table->scrollToBottom();
     });
     const auto apply = [this, filter] {
         constexpr std::array least{Severity::Info, Severity::Caution, Severity::Danger};
@@ -153,16 +159,12 @@ QString LogPage::text() const
 
 void LogPage::askSave()
 {
-    auto *dialog
-        = new QFileDialog(this, tr("Save the log"), QStringLiteral("motorbench.log"), tr("Text (*.log *.txt)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
+    const auto save = [this](const QString &path) {
         const auto saved = saveFile(path.toStdString(), text().toUtf8());
         m_workbench.report(saved ? Severity::Good : Severity::Danger, {},
             saved ? tr("log saved to %1").arg(path) : errorText(saved.error()));
-    });
-    dialog->open();
+    };
+    askWhereToSave(*this, tr("Save the log"), tr("Text (*.log *.txt)"), QStringLiteral("motorbench.log"), save);
 }
 
 } // namespace mb

@@ -35,6 +35,7 @@ private:
     const ThemeSource &m_theme;
     NoticeModel *m_model = nullptr;
     QStackedWidget *m_states = nullptr;
+    bool m_follows = true; ///< the newest line is in sight
     QTableView *m_table = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_severity = nullptr;

@@ -2,6 +2,7 @@
 #include "widgets/monitor/recordstrip.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
@@ -10,7 +11,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QStandardPaths>
 
@@ -71,23 +71,15 @@ void RecordStrip::activate()
 void RecordStrip::askWhereTo()
 {
     const LinkView *link = m_workbench.snapshot().link(m_link);
-    QString name = QString::fromStdString(link->name).replace(QLatin1Char(':'), QLatin1Char('-'));
-    name += QDateTime::currentDateTime().toString(QStringLiteral("'-'yyyy-MM-dd-HHmmss"));
-    auto *dialog = new QFileDialog(this, tr("Record the frames of %1").arg(QString::fromStdString(link->name)));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    const QString ascii = tr("Vector ASC log (*.asc)");
-    dialog->setNameFilters({tr("candump log (*.log)"), ascii});
-    dialog->setDefaultSuffix(QStringLiteral("log"));
-    dialog->setDirectory(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
-    dialog->selectFile(name + QStringLiteral(".log"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, ascii](const QString &filter) {
-        dialog->setDefaultSuffix(filter == ascii ? QStringLiteral("asc") : QStringLiteral("log"));
-    });
-    connect(dialog, &QFileDialog::fileSelected, this, [this, address = m_link](const QString &path) {
-        record(address, path); // another link may be shown meanwhile
-    });
-    dialog->open();
+    const QString name = QString::fromStdString(link->name);
+    const QString file = QString(name).replace(QLatin1Char(':'), QLatin1Char('-'))
+        + QDateTime::currentDateTime().toString(QStringLiteral("'-'yyyy-MM-dd-HHmmss'.log'"));
+    askWhereToSave(*this, tr("Record the frames of %1").arg(name),
+        tr("candump log (*.log)") + QStringLiteral(";;") + tr("Vector ASC log (*.asc)"),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QLatin1Char('/') + file,
+        [this, address = m_link](const QString &path) {
+            record(address, path); // another link may be shown meanwhile
+        });
 }
 
 void RecordStrip::record(const std::string &address, const QString &path)

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/editdesk.h"
 
+#include "widgets/parameters/readstatus.h"
+
+#include <algorithm>
+
 namespace mb {
 
 EditDesk &EditDesk::of(Workbench &workbench)
@@ -35,6 +39,16 @@ StagedEdits &EditDesk::editsOf(const DeviceView &device)
         desk.edits->setEntries(*device.parameters);
     }
     return *desk.edits;
+}
+
+void EditDesk::readOnce(const DeviceView &device)
+{
+    const bool unknown = std::ranges::all_of(
+        *device.parameters, [](const auto &entry) { return entry.state == ParameterState::Unknown; });
+    const bool ready = device.identity->state == DeviceState::Online && device.liveness.heard && device.busy.empty()
+        && device.family->capabilities.readback;
+    if (unknown && ready && !isUnderWay(m_workbench.snapshot().operation(device.id)) && m_read.insert(device.id).second)
+        m_workbench.send(orders::ReadParameters{device.id});
 }
 
 StagedEdits *EditDesk::find(DeviceId device)

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 namespace mb {
 
@@ -20,6 +21,8 @@ public:
     [[nodiscard]] StagedEdits &editsOf(const DeviceView &device);
     /// nullptr where nobody ever asked for them.
     [[nodiscard]] StagedEdits *find(DeviceId device);
+    /// Asks a device for its values when nothing is known of it and nothing is being done with it; once, whichever page shows it.
+    void readOnce(const DeviceView &device);
 
 private:
     explicit EditDesk(Workbench &workbench);
@@ -31,6 +34,7 @@ private:
     };
     Workbench &m_workbench;
     std::map<DeviceId, Desk> m_desks;
+    std::set<DeviceId> m_read;
 };
 
 } // namespace mb

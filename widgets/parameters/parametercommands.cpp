@@ -4,11 +4,8 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/parameters/editdesk.h"
-#include "widgets/parameters/readstatus.h"
 
 #include <QPointer>
-
-#include <algorithm>
 
 namespace mb {
 namespace {
@@ -37,17 +34,6 @@ void ParameterCommands::refuse(const char *key, DeviceId device, const Error &er
 void ParameterCommands::read(DeviceId device)
 {
     m_workbench.send(orders::ReadParameters{device});
-}
-
-void ParameterCommands::readOnce(const DeviceView &device)
-{
-    const bool unknown = std::all_of(device.parameters->begin(), device.parameters->end(),
-        [](const auto &entry) { return entry.state == ParameterState::Unknown; });
-    const bool ready = device.identity->state == DeviceState::Online && device.liveness.heard && device.busy.empty()
-        && device.family->capabilities.readback;
-    if (unknown && ready && !isUnderWay(m_workbench.snapshot().operation(device.id))
-        && m_asked.insert(device.id).second)
-        read(device.id);
 }
 
 void ParameterCommands::write(DeviceId device, const std::vector<ParameterChange> &changes)

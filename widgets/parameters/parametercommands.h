@@ -3,8 +3,6 @@
 
 #include "widgets/common/workbench.h"
 
-#include <set>
-
 namespace mb {
 
 class BannerStack;
@@ -17,8 +15,6 @@ public:
     ParameterCommands(Workbench &workbench, BannerStack &banners, QObject *parent);
 
     void read(DeviceId device);
-    /// When nothing is known of it and nothing is being done with it; once for each device.
-    void readOnce(const DeviceView &device);
     /// What was written is no edit any more (EditDesk).
     void write(DeviceId device, const std::vector<ParameterChange> &changes);
     void store(DeviceId device);
@@ -40,7 +36,6 @@ private:
 
     Workbench &m_workbench;
     BannerStack &m_banners;
-    std::set<DeviceId> m_asked;
 };
 
 } // namespace mb

@@ -6,7 +6,6 @@
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QJsonDocument>
 
@@ -28,19 +27,6 @@ QString titleOf(std::string_view family)
 {
     const Family *known = findFamily(families(), family);
     return known ? qt(known->title) : FileText::tr("family “%1”").arg(qt(family));
-}
-
-QString filters()
-{
-    return FileText::tr("Parameter files (*.json)") + QStringLiteral(";;") + FileText::tr("All files (*)");
-}
-
-void open(QFileDialog *dialog, std::function<void(const QString &)> chosen)
-{
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, dialog,
-        [chosen = std::move(chosen)](const QString &path) { chosen(path); });
-    dialog->open();
 }
 
 } // namespace
@@ -102,21 +88,9 @@ QString fileNameOf(const QString &path)
     return QFileInfo(path).fileName();
 }
 
-void askForFile(QWidget &parent, const QString &title, std::function<void(const QString &)> chosen)
+QString parameterFilters()
 {
-    auto *dialog = new QFileDialog(&parent, title, QString(), filters());
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    open(dialog, std::move(chosen));
-}
-
-void askWhereToSave(
-    QWidget &parent, const QString &title, const QString &name, std::function<void(const QString &)> chosen)
-{
-    auto *dialog = new QFileDialog(&parent, title, QString(), filters());
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    dialog->selectFile(name);
-    open(dialog, std::move(chosen));
+    return FileText::tr("Parameter files (*.json)") + QStringLiteral(";;") + FileText::tr("All files (*)");
 }
 
 } // namespace mb

@@ -6,13 +6,9 @@
 
 #include <QString>
 
-#include <functional>
-
-class QWidget;
-
 namespace mb {
 
-/// Files of parameters as a person meets them: questions that do not block, and one clear line where a file is refused.
+/// Files of parameters as a person meets them: one clear line where a file is refused.
 
 struct RefusedFile {
     QString cause; ///< "tuning.json is for Supermodified, DMC60C #5 is a DMC60C."
@@ -31,10 +27,7 @@ template <class T> using FromFile = tl::expected<T, RefusedFile>;
 [[nodiscard]] QByteArray parameterFileText(const ParameterSource &source);
 /// Name without folder.
 [[nodiscard]] QString fileNameOf(const QString &path);
-
-/// Opens the dialog and returns; `chosen` gets the path later, or nothing happens.
-void askForFile(QWidget &parent, const QString &title, std::function<void(const QString &)> chosen);
-void askWhereToSave(
-    QWidget &parent, const QString &title, const QString &name, std::function<void(const QString &)> chosen);
+/// For askForFile() and askWhereToSave().
+[[nodiscard]] QString parameterFilters();
 
 } // namespace mb

@@ -122,11 +122,6 @@ void ParameterHead::enable(const DeviceView *device, bool free, const QUndoStack
             [](const auto &entry) { return entry.raw.has_value(); }));
 }
 
-bool ParameterHead::isReady() const
-{
-    return m_read->isEnabled();
-}
-
 bool ParameterHead::isHistoryChosen() const
 {
     return m_history->isChecked();

@@ -26,8 +26,6 @@ public:
     void showDevice(const DeviceView &device, const OperationView *operation, const ParameterCounts &counts,
         const QUndoStack &edits);
     void showFile(const QString &name, const QString &family, const QUndoStack &edits);
-    /// A device is there, and nothing is being done with it.
-    [[nodiscard]] bool isReady() const;
     [[nodiscard]] bool isHistoryChosen() const;
     void chooseHistory(bool on);
     /// In a menu the status stands elsewhere.

@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/leastheight.h"
@@ -14,6 +15,7 @@
 #include "widgets/parameters/parameterhead.h"
 #include "widgets/parameters/parametersheet.h"
 #include "widgets/parameters/parametertools.h"
+#include "widgets/parameters/readstatus.h"
 
 #include <QStackedWidget>
 
@@ -27,6 +29,12 @@ QVBoxLayout *plainColumn(QWidget *widget)
 {
     auto *column = layoutIn<QVBoxLayout>(widget, 0);
     return column;
+}
+
+/// It answers, and no job of it is under way.
+bool isFree(const DeviceView *device, const Snapshot &shot)
+{
+    return device && device->liveness.heard && !isUnderWay(shot.operation(device->id));
 }
 
 } // namespace
@@ -66,13 +74,18 @@ ParameterView &ParametersPage::view()
     return m_sheet->view();
 }
 
+void ParametersPage::ask(const QString &title, void (ParametersPage::*then)(const QString &))
+{
+    askForFile(*this, title, parameterFilters(), {}, [this, then](const QString &path) { (this->*then)(path); });
+}
+
 void ParametersPage::buildEmpty()
 {
     m_empty = new EmptyState(m_theme, Symbol::Chip, {}, {}, m_stack);
     m_openFile = m_empty->addAction(Symbol::Document, tr("Open a parameter file…"));
     m_stack->addWidget(m_empty);
     connect(m_openFile, &QPushButton::clicked, this,
-        [this] { askForFile(*this, tr("Open a parameter file"), [this](const QString &path) { openFile(path); }); });
+        [this] { ask(tr("Open a parameter file"), &ParametersPage::openFile); });
 }
 
 QWidget *ParametersPage::buildTable(BannerStack &banners)
@@ -93,9 +106,8 @@ QWidget *ParametersPage::buildTable(BannerStack &banners)
     connect(m_tools, &ParameterTools::filterChanged, this, &ParametersPage::setFilter);
     connect(m_tools, &ParameterTools::searchEnded, &m_sheet->view(), qOverload<>(&QWidget::setFocus));
     connect(&m_tools->axes(), &AxisChoice::changed, this, &ParametersPage::follow);
-    connect(&m_tools->comparison(), &ComparisonBox::fileRequested, this, [this] {
-        askForFile(*this, tr("Compare with a parameter file"), [this](const QString &path) { compareWith(path); });
-    });
+    connect(&m_tools->comparison(), &ComparisonBox::fileRequested, this,
+        [this] { ask(tr("Compare with a parameter file"), &ParametersPage::compareWith); });
     connect(m_commands, &ParameterCommands::written, this, &ParametersPage::refresh);
     connect(m_commands, &ParameterCommands::kept, m_history, &HistoryPanel::reload);
     connect(m_history, &HistoryPanel::restoreRequested, this, [this] {
@@ -113,10 +125,10 @@ void ParametersPage::connectHead()
     connect(m_head, &ParameterHead::historyToggled, this, &ParametersPage::showHistory);
     connect(m_head, &ParameterHead::menuFilled, this, [this](QMenu *menu) { m_tools->comparison().addTo(*menu); });
     connect(m_head, &ParameterHead::importRequested, this,
-        [this] { askForFile(*this, tr("Import parameters"), [this](const QString &path) { importFrom(path); }); });
+        [this] { ask(tr("Import parameters"), &ParametersPage::importFrom); });
     connect(m_head, &ParameterHead::exportRequested, this, [this] {
         if (const DeviceView *shown = device())
-            askWhereToSave(*this, tr("Export parameters"),
+            askWhereToSave(*this, tr("Export parameters"), parameterFilters(),
                 QStringLiteral("%1-%2.json").arg(qt(shown->family->key)).arg(shown->identity->address),
                 [this](const QString &path) { exportTo(path); });
     });
@@ -141,12 +153,11 @@ void ParametersPage::buildKeys()
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("reads all parameters"), [this] { readAll(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] { m_tools->search(); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+S"))}, tr("writes what is staged"), [this] { write(); });
+    keys->add({QKeySequence(QStringLiteral("Shift+F5"))}, tr("writes what is staged"), [this] { write(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
         [this] { undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         tr("redoes the last edit or write"), [this] { undo(true); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, tr("takes a snapshot"), [this] { takeSnapshot(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+H"))}, tr("shows the history of the unit, or its values"),
         [this] { showHistory(!m_head->isHistoryChosen()); });
 }
@@ -198,7 +209,7 @@ void ParametersPage::showDevice(const DeviceView &device)
     m_shown = now;
     if (m_history->isVisible())
         m_history->showDevice(device);
-    m_commands->readOnce(device);
+    m_desk.readOnce(device);
     if (same)
         return;
     if (m_model->edits() != &edits) {
@@ -293,7 +304,7 @@ void ParametersPage::undo(bool redo)
 void ParametersPage::readAll()
 {
     const DeviceView *shown = device();
-    if (shown && m_head->isReady() && m_model->edits() && !m_file)
+    if (isFree(shown, m_workbench.snapshot()) && m_model->edits() && !m_file)
         m_commands->read(shown->id);
 }
 
@@ -311,14 +322,15 @@ void ParametersPage::write()
 
 void ParametersPage::store()
 {
-    if (const DeviceView *shown = device())
+    const DeviceView *shown = device();
+    if (isFree(shown, m_workbench.snapshot()) && !m_ledger.rows(shown->id).empty())
         m_commands->store(shown->id);
 }
 
 void ParametersPage::takeSnapshot()
 {
     const DeviceView *shown = device();
-    if (shown && m_head->isReady())
+    if (isFree(shown, m_workbench.snapshot()))
         m_commands->takeSnapshot(shown->id);
 }
 

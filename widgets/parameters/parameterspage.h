@@ -39,6 +39,7 @@ public:
     void readAll();
     /// Sends what is staged, ticked and legal, in the order of the panel.
     void write();
+    /// What the selected device has in RAM only, also while another page is shown.
     void store();
     /// Stages what differs from the file; another family's file is refused.
     void importFrom(const QString &path);
@@ -49,6 +50,7 @@ public:
     void openFile(const QString &path);
     /// What the unit has had, instead of the table.
     void showHistory(bool on);
+    /// Also while another page is shown.
     void takeSnapshot();
     /// The last edit; where none is staged, the last write to the unit, by a new one.
     void undo(bool redo);
@@ -59,6 +61,7 @@ protected:
 
 private:
     void fit();
+    void ask(const QString &title, void (ParametersPage::*then)(const QString &path));
     void buildEmpty();
     QWidget *buildTable(BannerStack &banners);
     void connectHead();

@@ -57,6 +57,7 @@ void RamBlock::build()
     m_hint->setWordWrap(true);
     column->addWidget(m_hint);
     m_store = new CommandButton(m_theme, Symbol::Save, tr("Store and prove"), this);
+    m_store->setKeyHint(QStringLiteral("Ctrl+S"));
     column->addWidget(m_store);
 }
 

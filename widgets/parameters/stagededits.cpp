@@ -85,7 +85,7 @@ void StagedEdits::endTyping(bool keep)
     Q_EMIT changed(index);
 }
 
-void StagedEdits::push(ParameterIndex index, const QString &text)
+void StagedEdits::push(ParameterIndex index, const QString &text, QUndoCommand *macro)
 {
     const auto staged = m_edits.find(index);
     const auto raw = known(index);
@@ -98,8 +98,11 @@ void StagedEdits::push(ParameterIndex index, const QString &text)
         && (*before == text
             || (parseValue(parameter(index), text).raw
                 && parseValue(parameter(index), text).raw == parseValue(parameter(index), *before).raw));
-    if (!same)
-        m_undo.push(new Step(*this, index, before, text, nullptr));
+    if (same)
+        return;
+    auto *const step = new Step(*this, index, before, text, macro);
+    if (!macro)
+        m_undo.push(step);
 }
 
 void StagedEdits::stage(ParameterIndex index, const QString &text)
@@ -113,10 +116,11 @@ void StagedEdits::stage(ParameterIndex index, const QString &text)
 void StagedEdits::stageAll(const std::vector<ParameterChange> &changes, const QString &title)
 {
     endTyping(true);
-    m_undo.beginMacro(title);
+    auto macro = std::make_unique<QUndoCommand>(title);
     for (const ParameterChange &change : changes)
-        push(change.index, fieldText(parameter(change.index), change.raw));
-    m_undo.endMacro();
+        push(change.index, fieldText(parameter(change.index), change.raw), macro.get());
+    if (macro->childCount() > 0) // nothing differs: there is nothing to take back
+        m_undo.push(macro.release());
 }
 
 void StagedEdits::revert(ParameterIndex index)

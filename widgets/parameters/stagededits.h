@@ -77,7 +77,7 @@ Q_SIGNALS:
 private:
     class Step;
     [[nodiscard]] std::map<ParameterIndex, StagedEdit> effective() const;
-    void push(ParameterIndex index, const QString &text);
+    void push(ParameterIndex index, const QString &text, QUndoCommand *macro = nullptr);
     void put(ParameterIndex index, const std::optional<QString> &text);
     [[nodiscard]] bool isSettled(ParameterIndex index, const StagedEdit &edit) const;
 

@@ -55,7 +55,7 @@ TimelineList::TimelineList(const ThemeSource &theme, QWidget *parent)
     connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
         const QListWidgetItem *shown = item(row);
         if (shown && shown->data(PlaceRole).isValid())
-            Q_EMIT chosen(shown->data(PlaceRole).toInt(), std::exchange(m_asA, false));
+            Q_EMIT chosen(shown->data(PlaceRole).toInt(), m_asA);
     });
 }
 
@@ -64,8 +64,9 @@ void TimelineList::mousePressEvent(QMouseEvent *event)
     m_asA = event->modifiers().testFlag(Qt::ShiftModifier);
     const QListWidgetItem *under = itemAt(event->pos());
     if (under && under == currentItem() && under->data(PlaceRole).isValid())
-        Q_EMIT chosen(under->data(PlaceRole).toInt(), std::exchange(m_asA, false));
+        Q_EMIT chosen(under->data(PlaceRole).toInt(), m_asA);
     QListWidget::mousePressEvent(event);
+    m_asA = false; // also where it chose nothing
 }
 
 void TimelineList::addHead(const QString &text)

@@ -5,11 +5,11 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/plots/plotanalysis.h"
+#include "widgets/plots/plotexport.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QMenu>
 
 #include <algorithm>
@@ -32,33 +32,18 @@ std::pair<double, double> stretchOf(const PlotStack &stack)
     return std::minmax({a, b});
 }
 
-void exportCurves(CurvePlot &plot, Workbench &workbench, const QString &suffix, const QString &filter)
-{
-    auto *dialog = new QFileDialog(&plot, AgainstView::tr("Export plot"), QString(), filter);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &plot, [&plot, &workbench](const QString &path) {
-        const auto written = plot.exportTo(path);
-        workbench.report(written ? Severity::Good : Severity::Danger, {},
-            written ? AgainstView::tr("plot written to %1").arg(path) : errorText(written.error()));
-    });
-    dialog->open();
-}
-
 } // namespace
 
 void fillExportMenu(QMenu &menu, CurvePlot &plot, Workbench &workbench)
 {
-    const auto add = [&](const QString &text, const QString &suffix, const QString &filter) {
-        menu.addAction(
-            text, &plot, [&plot, &workbench, suffix, filter] { exportCurves(plot, workbench, suffix, filter); });
-    };
     menu.addAction(
         AgainstView::tr("Copy picture"), &plot, [&plot] { QApplication::clipboard()->setPixmap(plot.picture()); });
-    add(AgainstView::tr("Export PNG…"), QStringLiteral("png"), AgainstView::tr("PNG picture (*.png)"));
-    add(AgainstView::tr("Export SVG…"), QStringLiteral("svg"), AgainstView::tr("SVG drawing (*.svg)"));
-    add(AgainstView::tr("Export PDF…"), QStringLiteral("pdf"), AgainstView::tr("PDF document (*.pdf)"));
+    addPictures(
+        menu, plot, [&plot](const QString &kind) { return plot.contentAs(kind); },
+        [&workbench](const QString &path, const Result<void> &written) {
+            workbench.report(written ? Severity::Good : Severity::Danger, {},
+                written ? AgainstView::tr("plot written to %1").arg(path) : errorText(written.error()));
+        });
 }
 
 AgainstView::AgainstView(PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)

@@ -309,16 +309,14 @@ void CurvePlot::keyPressEvent(QKeyEvent *event)
     replotSoon();
 }
 
-Result<void> CurvePlot::exportTo(const QString &path)
+QByteArray CurvePlot::contentAs(const QString &kind)
 {
-    const QString kind = QFileInfo(path).suffix().toLower();
     const QSize size = m_plot->size();
-    const QByteArray content = kind == QLatin1String("png")
-        ? pngOf(picture().toImage())
-        : drawingAs(kind, {size, accessibleName(), {}, [&](QCPPainter &painter) {
-                               m_plot->toPainter(&painter, size.width(), size.height());
-                           }});
-    return savePlot(path, content);
+    if (kind == QLatin1String("png"))
+        return pngOf(picture().toImage());
+    return drawingAs(kind, {size, accessibleName(), {}, [&](QCPPainter &painter) {
+                                m_plot->toPainter(&painter, size.width(), size.height());
+                            }});
 }
 
 } // namespace mb

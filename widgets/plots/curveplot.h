@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/result.h"
 #include "widgets/plots/axislabels.h"
 #include "widgets/plots/curvemarks.h"
 #include "widgets/plots/traceplottable.h"
@@ -52,7 +51,8 @@ public:
     void setLeastRange(double lower, double upper) { m_least = QCPRange(lower, upper); }
     void setWatermark(const QString &text);
     void fit();
-    [[nodiscard]] Result<void> exportTo(const QString &path);
+    /// As addPictures() wants it.
+    [[nodiscard]] QByteArray contentAs(const QString &kind);
     [[nodiscard]] QPixmap picture() { return m_plot->toPixmap(0, 0, 2.0); }
     [[nodiscard]] const std::vector<Curve> &curves() const { return m_curves; }
     [[nodiscard]] QString note() const { return m_note; }

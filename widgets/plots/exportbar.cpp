@@ -15,11 +15,9 @@
 
 namespace mb {
 
-ExportBar::ExportBar(
-    Workbench &workbench, PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
+ExportBar::ExportBar(Workbench &workbench, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
-    , m_stack(stack)
     , m_board(board)
     , m_job(new ExportJob(this))
     , m_progress(new QProgressBar(this))
@@ -45,16 +43,16 @@ ExportPlan ExportBar::planFor(const ExportChoice &choice) const
     plan.clock = m_workbench.wallClock();
     plan.about = aboutDevices(m_workbench.snapshot());
     plan.notes = m_board.notes();
-    const bool selection = choice.range == ExportChoice::Range::Selection;
-    const auto [a, b] = selection ? m_stack.cursorKeys() : m_stack.view().range();
-    plan.from = instantOf(std::min(a, b));
-    plan.to = instantOf(std::max(a, b));
-    if (choice.range == ExportChoice::Range::Session) {
-        plan.from = plan.to = m_workbench.now();
-        for (const ExportChannel &channel : plan.channels) {
-            const auto first = channel.telemetry->first(channel.channel);
-            plan.from = first ? std::min(plan.from, first->time) : plan.from;
-        }
+    if (choice.stretch) {
+        const auto [from, to] = std::minmax(choice.stretch->first, choice.stretch->second);
+        plan.from = instantOf(from);
+        plan.to = instantOf(to);
+        return plan;
+    }
+    plan.from = plan.to = m_workbench.now();
+    for (const ExportChannel &channel : plan.channels) {
+        const auto first = channel.telemetry->first(channel.channel);
+        plan.from = first ? std::min(plan.from, first->time) : plan.from;
     }
     return plan;
 }

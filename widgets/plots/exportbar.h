@@ -12,7 +12,6 @@ namespace mb {
 
 class ExportJob;
 class PlotBoard;
-class PlotStack;
 class Workbench;
 struct ExportChoice;
 
@@ -21,7 +20,7 @@ struct ExportChoice;
 class ExportBar : public QWidget {
     Q_OBJECT
 public:
-    ExportBar(Workbench &workbench, PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent);
+    ExportBar(Workbench &workbench, PlotBoard &board, const ThemeSource &theme, QWidget *parent);
     /// How it ends is reported.
     void exportSamples(const ExportChoice &choice);
 
@@ -30,7 +29,6 @@ private:
     void finished(const QString &path, const Result<ExportReport> &report);
 
     Workbench &m_workbench;
-    PlotStack &m_stack;
     PlotBoard &m_board;
     ExportJob *m_job;
     QProgressBar *m_progress;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotdialogs.h"
 
+#include "widgets/common/filechoice.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
 
@@ -8,7 +9,6 @@
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QListWidget>
@@ -127,14 +127,15 @@ void askDerived(QWidget &parent, const ThemeSource &theme, const std::vector<Sig
     dialog->open();
 }
 
-void askExport(QWidget &parent, bool hasSelection, std::function<void(const ExportChoice &)> done)
+void askExport(
+    QWidget &parent, Stretch seen, std::optional<Stretch> selection, std::function<void(const ExportChoice &)> done)
 {
     QDialog *dialog = makeDialog(parent, DialogText::tr("Export samples"));
     auto *column = new QVBoxLayout(dialog);
     auto *range = new Segmented(DialogText::tr("Stretch"),
         {DialogText::tr("What is seen"), DialogText::tr("A … B"), DialogText::tr("Whole session")}, dialog);
-    range->setSegmentEnabled(1, hasSelection, DialogText::tr("Show the cursors first: L"));
-    range->setCurrent(hasSelection ? 1 : 0);
+    range->setSegmentEnabled(1, selection.has_value(), DialogText::tr("Show the cursors first: L"));
+    range->setCurrent(selection ? 1 : 0);
     auto *signalsOf = new Segmented(DialogText::tr("Signals"),
         {DialogText::tr("Plotted signals"), DialogText::tr("All signals of all devices")}, dialog);
     auto *kind = new Segmented(
@@ -149,21 +150,15 @@ void askExport(QWidget &parent, bool hasSelection, std::function<void(const Expo
         column->addWidget(part);
     addButtons(*dialog, *column, DialogText::tr("Choose file…"));
     QObject::connect(dialog, &QDialog::accepted, &parent, [=, &parent, done = std::move(done)] {
-        ExportChoice choice;
-        choice.range = static_cast<ExportChoice::Range>(range->current());
-        choice.everything = signalsOf->current() == 1;
-        const bool table = kind->current() == 0;
-        auto *file = new QFileDialog(&parent, DialogText::tr("Export samples"), QString(),
-            table ? DialogText::tr("Table (*.csv)") : DialogText::tr("MCAP recording (*.mcap)"));
-        file->setAttribute(Qt::WA_DeleteOnClose);
-        file->setAcceptMode(QFileDialog::AcceptSave);
-        file->setDefaultSuffix(table ? QStringLiteral("csv") : QStringLiteral("mcap"));
-        QObject::connect(file, &QFileDialog::fileSelected, &parent, [choice, done](const QString &path) {
-            ExportChoice chosen = choice;
-            chosen.path = path;
-            done(chosen);
-        });
-        file->open();
+        const std::optional<Stretch> stretches[] = {seen, selection, std::nullopt}; // as they are offered
+        const QString filter
+            = kind->current() == 0 ? DialogText::tr("Table (*.csv)") : DialogText::tr("MCAP recording (*.mcap)");
+        askWhereToSave(parent, DialogText::tr("Export samples"), filter, {},
+            [choice = ExportChoice{stretches[range->current()], signalsOf->current() == 1}, done](
+                const QString &path) mutable {
+                choice.path = path;
+                done(choice);
+            });
     });
     dialog->open();
 }

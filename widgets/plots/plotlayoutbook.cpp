@@ -6,6 +6,8 @@
 
 #include <QMenu>
 
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -45,15 +47,29 @@ void PlotLayoutBook::save()
 {
     m_remember.stop();
     if (m_layouts.remembers() && m_board.isTouched())
-        m_unsaved = !keep(PlotLayouts::lastName(), current(), !m_unsaved);
+        keep(PlotLayouts::lastName(), current());
 }
 
-bool PlotLayoutBook::keep(const QString &name, const PlotLayout &layout, bool tellFailure)
+void PlotLayoutBook::keep(const QString &name, const PlotLayout &layout)
 {
-    const auto saved = m_layouts.save(name, layout);
-    if (!saved && tellFailure)
-        m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
-    return saved.has_value();
+    m_disk.order(
+        name, [layouts = m_layouts, name, layout] { return layouts.save(name, layout); },
+        [this, isLast = name == PlotLayouts::lastName()](const Result<void> &saved) {
+            const bool told = isLast && std::exchange(m_unsaved, !saved);
+            if (!saved && !told)
+                m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+        });
+}
+
+void PlotLayoutBook::forget(const QString &name)
+{
+    m_disk.order(
+        name,
+        [layouts = m_layouts, name] {
+            layouts.remove(name);
+            return Result<void>();
+        },
+        [](const Result<void> &) {});
 }
 
 void PlotLayoutBook::follow()
@@ -132,7 +148,7 @@ void PlotLayoutBook::apply(const PlotLayout &layout)
 void PlotLayoutBook::reset()
 {
     m_defaultsOf = {};
-    m_layouts.remove(PlotLayouts::lastName());
+    forget(PlotLayouts::lastName());
     m_stack.view().setWindow(firstWindow);
     m_stack.view().setLive(true);
     m_board.reset();
@@ -149,6 +165,7 @@ void PlotLayoutBook::fillMenu(QMenu &menu, QWidget &parent)
     menu.addAction(tr("Save layout as…"), this, saveAs)->setEnabled(m_layouts.remembers());
     addFamilyEntries(menu);
     menu.addAction(tr("Reset"), this, &PlotLayoutBook::reset);
+    m_disk.finish(); // what was saved a moment ago is offered, too
     const QStringList names = m_layouts.names();
     if (!names.isEmpty())
         menu.addSeparator();
@@ -179,7 +196,7 @@ void PlotLayoutBook::addFamilyEntries(QMenu &menu)
         keep(PlotLayouts::familyName(qt(selected->family->key)), layout);
     });
     menu.addAction(tr("Begin with the usual for every %1").arg(title), this,
-        [this, family = qt(device->family->key)] { m_layouts.remove(PlotLayouts::familyName(family)); });
+        [this, family = qt(device->family->key)] { forget(PlotLayouts::familyName(family)); });
 }
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/diskthread.h"
 #include "widgets/plots/plotboard.h"
 #include "widgets/plots/plotlayout.h"
 
@@ -39,7 +40,8 @@ Q_SIGNALS:
 
 private:
     void save();
-    bool keep(const QString &name, const PlotLayout &layout, bool tellFailure = true);
+    void keep(const QString &name, const PlotLayout &layout);
+    void forget(const QString &name);
     void takeDefaults();
     void addFamilyEntries(QMenu &menu);
     [[nodiscard]] std::vector<PlotBoard::Trace> tracesOf(const PlotLayout &layout, DeviceId standIn) const;
@@ -53,6 +55,7 @@ private:
     int m_defaultsOfAxis = 0;
     QTimer m_remember;
     bool m_unsaved = false; ///< said once, not with each change until a disk has room again
+    DiskThread m_disk;
 };
 
 } // namespace mb

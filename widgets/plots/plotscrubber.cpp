@@ -163,6 +163,8 @@ void PlotScrubber::showAround(double key)
 
 void PlotScrubber::mousePressEvent(QMouseEvent *event)
 {
+    if (event->button() != Qt::LeftButton)
+        return QWidget::mousePressEvent(event);
     const auto [from, to] = m_stack.view().range();
     const double middle = (from + to) / 2;
     const double key = keyOf(event->pos().x());

@@ -71,7 +71,9 @@ double beginOf(const PlotBoard &board, double now)
 void addSamplesEntry(QMenu &menu, QWidget &page, PlotStack &stack, ExportBar &bar)
 {
     menu.addAction(PlotsPage::tr("Export samples…"), &page, [&page, &stack, &bar] {
-        askExport(page, stack.cursorsShown(), [&bar](const ExportChoice &choice) { bar.exportSamples(choice); });
+        const auto selection = stack.cursorsShown() ? std::optional(stack.cursorKeys()) : std::nullopt;
+        askExport(
+            page, stack.view().range(), selection, [&bar](const ExportChoice &choice) { bar.exportSamples(choice); });
     });
 }
 
@@ -143,7 +145,7 @@ QWidget *PlotsPage::buildPlots()
     m_spectrum = new SpectrumView(*m_stack, *m_board, m_theme, m_plots);
     m_plots->addWidget(m_spectrum);
     m_scrubber = new PlotScrubber(m_theme, *m_stack, area);
-    m_exportBar = new ExportBar(m_workbench, *m_stack, *m_board, m_theme, area);
+    m_exportBar = new ExportBar(m_workbench, *m_board, m_theme, area);
     column->addWidget(&m_trigger->bar());
     column->addWidget(m_exportBar);
     column->addWidget(m_plots, 1);

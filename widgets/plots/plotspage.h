@@ -43,6 +43,8 @@ public:
     [[nodiscard]] CurvePlot &curves(View view);
 
     void showView(View view);
+    /// What its button Export offers.
+    void fillExportMenu(QMenu &menu);
     /// Where layouts are kept; see PlotLayoutBook::setFolder().
     void setLayoutFolder(const QString &folder);
     /// The recording that runs; the button and R appear with it.
@@ -65,7 +67,6 @@ private:
     QWidget *buildPlots();
     void connectParts();
     void addKeys();
-    void fillExportMenu(QMenu &menu);
     void addMenuEntries(QMenu &menu, double key);
     void newDerived();
     void newNote(double key);

@@ -102,7 +102,7 @@ void SamplesWindow::build(const QString &path, const ThemeSource &theme)
 void SamplesWindow::connectExports()
 {
     m_job = new ExportJob(this);
-    m_stack->exporter().setTable([this](const QString &path) { exportTable(path); });
+    m_stack->exporter().setTable([this] { return [this](const QString &path) { exportTable(path); }; });
     connect(&m_stack->exporter(), &PlotExport::exported, this,
         [this](const QString &to) { m_state->setText(tr("Written: %1").arg(to)); });
     connect(&m_stack->exporter(), &PlotExport::exportFailed, m_state, &QLabel::setText);

@@ -4,11 +4,11 @@
 #include "files/filebytes.h"
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/report/reportpdf.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -51,18 +51,8 @@ ReportOrder::ReportOrder(Workbench &workbench, QWidget &page)
 
 void ReportOrder::ask(const ReportUnit &unit, const ReportWish &wish)
 {
-    auto *dialog = new QFileDialog(&m_page, tr("Write report"), proposedName(unit),
-        tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("HTML (*.html)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("pdf"));
-    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &filter) {
-        dialog->setDefaultSuffix(
-            filter.contains(QStringLiteral("*.html")) ? QStringLiteral("html") : QStringLiteral("pdf"));
-    });
-    connect(
-        dialog, &QFileDialog::fileSelected, this, [this, unit, wish](const QString &path) { write(unit, wish, path); });
-    dialog->open();
+    askWhereToSave(m_page, tr("Write report"), tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("HTML (*.html)"),
+        proposedName(unit), [this, unit, wish](const QString &path) { write(unit, wish, path); });
 }
 
 void ReportOrder::write(const ReportUnit &unit, const ReportWish &wish, const QString &path)

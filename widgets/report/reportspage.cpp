@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -20,7 +21,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
@@ -429,12 +429,8 @@ void ReportsPage::write(const QString &path)
 
 void ReportsPage::askTable()
 {
-    auto *dialog = new QFileDialog(this, tr("Save the journal"), QStringLiteral("journal.csv"), tr("Table (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    connect(dialog, &QFileDialog::fileSelected, this, &ReportsPage::saveTable);
-    dialog->open();
+    askWhereToSave(*this, tr("Save the journal"), tr("Table (*.csv)"), QStringLiteral("journal.csv"),
+        [this](const QString &path) { saveTable(path); });
 }
 
 void ReportsPage::saveTable(const QString &path)

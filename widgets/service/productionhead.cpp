@@ -8,6 +8,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/scanfield.h"
 #include "widgets/common/serviceview.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/service/recipetext.h"
@@ -54,7 +55,7 @@ void ProductionHead::buildOrders(QWidget &orders)
     row->setContentsMargins(edge, m_theme.theme().u(8), edge, m_theme.theme().u(8));
     m_link = new QComboBox(&orders);
     m_link->setAccessibleName(tr("Link that units are put on"));
-    m_serial = new QLineEdit(&orders);
+    m_serial = new ScanField(&orders);
     m_serial->setAccessibleName(tr("Serial number, scanned or typed"));
     m_serial->setPlaceholderText(tr("Scan or type a serial number"));
     m_serial->setMinimumWidth(m_theme.theme().u(270));

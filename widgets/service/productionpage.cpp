@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/keystrip.h"
 #include "widgets/common/labels.h"
@@ -19,7 +20,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPointer>
@@ -154,17 +154,18 @@ QWidget *ProductionPage::buildFoot()
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("tests the last unit again"), [this] { testAgain(); });
     keys->add({Qt::Key_F8}, tr("sets it aside, ready for the next"), [this] { setAside(); });
-    keys->add(
-        {Qt::Key_F2}, tr("goes to the serial number"), [this] { m_head->serial().setFocus(Qt::ShortcutFocusReason); });
     return foot;
+}
+
+void ProductionPage::goToSerial()
+{
+    m_head->serial().setFocus(Qt::ShortcutFocusReason);
 }
 
 void ProductionPage::askRecipe()
 {
-    auto *dialog = new QFileDialog(this, tr("Open recipe"), QString(), tr("Recipes (*.json);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::fileSelected, this, &ProductionPage::openRecipe);
-    dialog->open();
+    askForFile(*this, tr("Open recipe"), tr("Recipes (*.json);;All files (*)"), {},
+        [this](const QString &path) { openRecipe(path); });
 }
 
 bool ProductionPage::openRecipe(const QString &path)

@@ -40,6 +40,7 @@ public:
     void setAside();
     /// A serial number that was scanned or typed: that unit is served.
     void take(const QString &serial);
+    void goToSerial();
     void setSound(bool on);
     [[nodiscard]] VerdictView &verdict() { return *m_verdict; }
     [[nodiscard]] HoldButton &armButton();

@@ -6,6 +6,7 @@
 #include "service/recipematter.h"
 #include "service/reciperead.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/spoken.h"
@@ -13,7 +14,6 @@
 #include "widgets/service/recipeform.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QPlainTextEdit>
@@ -244,12 +244,8 @@ void RecipeEditor::save()
 
 void RecipeEditor::ask()
 {
-    auto *dialog = new QFileDialog(this, tr("Keep the recipe"), m_folder, tr("Recipes (*.json)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
-    connect(dialog, &QFileDialog::fileSelected, this, &RecipeEditor::saveAs);
-    dialog->open();
+    askWhereToSave(
+        *this, tr("Keep the recipe"), tr("Recipes (*.json)"), m_folder, [this](const QString &path) { saveAs(path); });
 }
 
 bool RecipeEditor::saveAs(const QString &path)

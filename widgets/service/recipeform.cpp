@@ -5,6 +5,7 @@
 #include "model/family.h"
 #include "service/recipe.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
@@ -13,7 +14,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -197,14 +197,10 @@ void RecipeForm::add(QFormLayout &form, const QString &label, const char *path, 
 
 void RecipeForm::browse(QLineEdit &edit)
 {
-    auto *dialog = new QFileDialog(this, edit.accessibleName(), m_folder);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, &edit, [this, &edit](const QString &file) {
+    askForFile(*this, edit.accessibleName(), {}, m_folder, [this, &edit](const QString &file) {
         const QString near = QDir(m_folder).relativeFilePath(file);
         edit.setText(m_folder.isEmpty() || near.startsWith(QLatin1String("..")) ? file : near);
     });
-    dialog->open();
 }
 
 const Family *RecipeForm::family() const
