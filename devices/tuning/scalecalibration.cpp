@@ -53,6 +53,19 @@ GuardPlan guardsOf(const AutotuneRun &run)
     return plan;
 }
 
+/// The first loops of a run of the program are closed by the search: which way the motor counts is seen before.
+Task<void> lookWhichWay(AutotuneRun &run, TrialRecorder &recorder, const GuardPlan &guards, std::optional<Trip> &trip)
+{
+    Device &device = run.device();
+    DirectionBook *const known = run.around().directions;
+    const int axis = run.plan().axis;
+    if (!known || known->find(device.selector(), axis))
+        co_return {};
+    auto checking = checkDirection(device, run.stream(), recorder, axis, guards, trip);
+    known->add(device.selector(), axis, co_await std::move(checking));
+    co_return {};
+}
+
 } // namespace
 
 const Experiment *scaleExperimentOf(const Family &family)
@@ -82,18 +95,27 @@ Task<void> findScales(AutotuneRun &run)
     extent.duty = options.power;
     run.note(textOf(extent));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
-    recorder.guard(guardsOf(run));
     auto beginning = run.keepBefore();
     co_await std::move(beginning);
     run.setMoved();
-    auto searching = experiment.run(device, run.stream(), options, progress);
-    const Result<ExperimentReport> found = co_await std::move(searching).attempt();
+    std::optional<Trip> trip;
+    GuardPlan guards = guardsOf(run);
+    guards.envelope.duty = options.power;
+    auto looking = lookWhichWay(run, recorder, guards, trip);
+    Result<void> found = co_await std::move(looking).attempt();
+    if (found) {
+        recorder.guard(guardsOf(run));
+        auto searching = experiment.run(device, run.stream(), options, progress);
+        if (const Result<ExperimentReport> scales = co_await std::move(searching).attempt(); !scales)
+            found = fail(scales.error());
+    }
     recorder.unguard();
     auto stopping = confirmStop(device);
     run.report().stopped = co_await std::move(stopping);
     run.lookWhere();
-    if (recorder.trip())
-        run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
+    trip = trip ? trip : recorder.trip();
+    if (trip)
+        run.end(toString(trip->guard), trip->detail);
     else if (run.user().isRequested())
         run.end("interrupted", say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)
