@@ -53,16 +53,22 @@ GuardPlan guardsOf(const AutotuneRun &run)
     return plan;
 }
 
-/// The first loops of a run of the program are closed by the search: which way the motor counts is seen before.
-Task<void> lookWhichWay(AutotuneRun &run, TrialRecorder &recorder, const GuardPlan &guards, std::optional<Trip> &trip)
+/// Its are the first loops that a run of the program closes: which way the motor counts is seen before.
+Task<void> search(AutotuneRun &run, const Experiment &experiment, const ExperimentOptions &options,
+    TrialRecorder &recorder, std::optional<Trip> &trip)
 {
     Device &device = run.device();
     DirectionBook *const known = run.around().directions;
-    const int axis = run.plan().axis;
-    if (!known || known->find(device.selector(), axis))
-        co_return {};
-    auto checking = checkDirection(device, run.stream(), recorder, axis, guards, trip);
-    known->add(device.selector(), axis, co_await std::move(checking));
+    if (known && !known->find(device.selector(), options.axis)) {
+        GuardPlan guards = guardsOf(run);
+        guards.envelope.duty = options.power;
+        auto checking = checkDirection(device, run.stream(), recorder, options.axis, guards, trip);
+        known->add(device.selector(), options.axis, co_await std::move(checking));
+    }
+    recorder.guard(guardsOf(run));
+    NotingProgress progress(run);
+    auto searching = experiment.run(device, run.stream(), options, progress);
+    co_await std::move(searching);
     co_return {};
 }
 
@@ -87,7 +93,6 @@ Task<void> findScales(AutotuneRun &run)
     ExperimentOptions options;
     options.axis = run.plan().axis;
     options.power = std::min(experiment.power, run.envelope().duty.value_or(experiment.power));
-    NotingProgress progress(run);
     run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
                  "power at most",
         std::round(100.0 * options.power)));
@@ -99,16 +104,8 @@ Task<void> findScales(AutotuneRun &run)
     co_await std::move(beginning);
     run.setMoved();
     std::optional<Trip> trip;
-    GuardPlan guards = guardsOf(run);
-    guards.envelope.duty = options.power;
-    auto looking = lookWhichWay(run, recorder, guards, trip);
-    Result<void> found = co_await std::move(looking).attempt();
-    if (found) {
-        recorder.guard(guardsOf(run));
-        auto searching = experiment.run(device, run.stream(), options, progress);
-        if (const Result<ExperimentReport> scales = co_await std::move(searching).attempt(); !scales)
-            found = fail(scales.error());
-    }
+    auto searching = search(run, experiment, options, recorder, trip);
+    const Result<void> found = co_await std::move(searching).attempt();
     recorder.unguard();
     auto stopping = confirmStop(device);
     run.report().stopped = co_await std::move(stopping);
