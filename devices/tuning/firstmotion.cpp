@@ -37,6 +37,24 @@ bool isLossy(const AutotuneRun &run)
     return isLoss && run.report().stopped && run.device().liveness().heard;
 }
 
+/// An output goes in whole steps: what a push draws is up to one of them less than its share. None draws more than the least that was seen.
+class DrawnByPush {
+public:
+    /// A for 1 of P times counts, halfway between what the pushes leave open.
+    [[nodiscard]] double ofOne(double push, double current)
+    {
+        m_step = std::min(m_step, current);
+        m_least = std::max(m_least, current / push);
+        m_most = std::min(m_most, (current + m_step) / push);
+        return 0.5 * (m_least + std::max(m_least, m_most));
+    }
+
+private:
+    double m_step = std::numeric_limits<double>::infinity();
+    double m_least = 0.0;
+    double m_most = std::numeric_limits<double>::infinity();
+};
+
 Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
 {
     for (int again = 0;; ++again) {
@@ -62,6 +80,7 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
     const double most = std::min(firmestForce * storedP, mostRawP);
     const double allowed = run.envelope().current.value_or(std::numeric_limits<double>::infinity());
     FirstMotion first;
+    DrawnByPush drawing;
     for (double p = std::max(std::round(storedP / gentlestForce), 1.0);; p = std::min(std::ceil(nextForce * p), most)) {
         run.forgive();
         const DrawnCurrent drawn(run);
@@ -71,7 +90,7 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
         const bool isHeld = run.report().stopReason == toString(Guard::NoMotion) && !hasGone(run);
         const bool isTurning = isHeld && hasFallen(drawn);
         if (isHeld || first.current == 0.0)
-            first.current = std::max(first.current, drawn.most() / first.push);
+            first.current = drawing.ofOne(first.push, drawn.most());
         const bool isStrongest = p >= most || nextForce * first.push * first.current > allowed;
         if (!isHeld || isTurning || isStrongest) // a dead sensor is not asked with more and more force
             break;

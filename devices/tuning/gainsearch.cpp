@@ -275,6 +275,8 @@ private:
         }
         if (m_plant.warming > 0.0 && m_loop == Mode::Velocity)
             beyond = std::max(beyond, overshootWhenWarm(gains) - mostOvershootWhenWarm);
+        if (m_task.shape.setPointRate > 0.0)
+            beyond = std::max(beyond, overshootUnled(gains) - m_task.overshoot);
         return sum * (1.0 + overshootPrice * beyond);
     }
 
@@ -283,6 +285,16 @@ private:
     {
         double overshoot = 0.0;
         (void)steps(warmed(m_plant, heatOfATuning), gains, never, overshoot, 0.0);
+        return overshoot;
+    }
+
+    /// Of what a profile leads in its proof; somebody may give it steps.
+    [[nodiscard]] double overshootUnled(const ContinuousGains &gains) const
+    {
+        SearchTask unled = m_task;
+        unled.shape.setPointRate = 0.0;
+        double overshoot = 0.0;
+        (void)Search(m_loop, m_plant, m_start, unled).steps(m_plant, gains, never, overshoot, 0.0);
         return overshoot;
     }
 

@@ -93,13 +93,6 @@ LoopShape shapeWith(const ProposalBasis &basis, const ScaledGains &gains)
     return shape;
 }
 
-/// As somebody gives it steps: a profile leads it in its proof only.
-LoopShape withoutProfile(LoopShape shape)
-{
-    shape.setPointRate = 0.0;
-    return shape;
-}
-
 double secondsOfPrediction(const ProposalBasis &basis)
 {
     return basis.loop == Mode::Current ? currentPrediction
@@ -200,14 +193,16 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
     Proposal proposal;
     proposal.aim = wish.aim;
-    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(basis.loop, wish), wish.aim == Aim::Calm,
-        inSeconds(family.capabilities.commandPeriod), {}, withoutProfile(shapeOf(basis))};
+    SearchTask task{boundsOf(basis), ms.model, ms.off, wish.step, overshootOf(basis.loop, wish), wish.aim == Aim::Calm,
+        inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
     const bool rules = wish.response || wish.ms || (basis.loop == Mode::Current && wish.aim == Aim::Calm);
     if (!rules) {
-        task.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
-                                                : proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
+        if (task.step == 0.0)
+            task.step = basis.loop == Mode::Current
+                ? currentStep(plant.gain, basis.envelope)
+                : proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;
@@ -274,7 +269,7 @@ double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, c
 {
     SearchTask task;
     task.step = step;
-    task.shape = withoutProfile(shape);
+    task.shape = shape;
     return errorOfSteps(basis.loop, basis.plant, gains, task);
 }
 

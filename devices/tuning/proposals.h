@@ -31,6 +31,7 @@ struct ProposalWish {
     std::optional<double> ms;       ///< largest sensitivity on the model
     bool isProven = false;          ///< a loop was seen to do what the model predicts: less caution is needed
     double steepest = 0.0;          ///< as SearchTask has it
+    double step = 0.0;              ///< that it is searched and proven for; 0: the usual one
 };
 
 /// Largest sensitivity that is allowed: on the model, and where its gain is 20 % and its delay 30 % more than thought.

@@ -53,6 +53,25 @@ GuardPlan guardsOf(const AutotuneRun &run)
     return plan;
 }
 
+/// Its are the first loops that a run of the program closes: which way the motor counts is seen before.
+Task<void> search(AutotuneRun &run, const Experiment &experiment, const ExperimentOptions &options,
+    TrialRecorder &recorder, std::optional<Trip> &trip)
+{
+    Device &device = run.device();
+    DirectionBook *const known = run.around().directions;
+    if (known && !known->find(device.selector(), options.axis)) {
+        GuardPlan guards = guardsOf(run);
+        guards.envelope.duty = options.power;
+        auto checking = checkDirection(device, run.stream(), recorder, options.axis, guards, trip);
+        known->add(device.selector(), options.axis, co_await std::move(checking));
+    }
+    recorder.guard(guardsOf(run));
+    NotingProgress progress(run);
+    auto searching = experiment.run(device, run.stream(), options, progress);
+    co_await std::move(searching);
+    co_return {};
+}
+
 } // namespace
 
 const Experiment *scaleExperimentOf(const Family &family)
@@ -74,7 +93,6 @@ Task<void> findScales(AutotuneRun &run)
     ExperimentOptions options;
     options.axis = run.plan().axis;
     options.power = std::min(experiment.power, run.envelope().duty.value_or(experiment.power));
-    NotingProgress progress(run);
     run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
                  "power at most",
         std::round(100.0 * options.power)));
@@ -82,18 +100,19 @@ Task<void> findScales(AutotuneRun &run)
     extent.duty = options.power;
     run.note(textOf(extent));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
-    recorder.guard(guardsOf(run));
     auto beginning = run.keepBefore();
     co_await std::move(beginning);
     run.setMoved();
-    auto searching = experiment.run(device, run.stream(), options, progress);
-    const Result<ExperimentReport> found = co_await std::move(searching).attempt();
+    std::optional<Trip> trip;
+    auto searching = search(run, experiment, options, recorder, trip);
+    const Result<void> found = co_await std::move(searching).attempt();
     recorder.unguard();
     auto stopping = confirmStop(device);
     run.report().stopped = co_await std::move(stopping);
     run.lookWhere();
-    if (recorder.trip())
-        run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
+    trip = trip ? trip : recorder.trip();
+    if (trip)
+        run.end(toString(trip->guard), trip->detail);
     else if (run.user().isRequested())
         run.end("interrupted", say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)

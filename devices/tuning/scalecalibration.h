@@ -16,7 +16,8 @@ class AutotuneRun;
 [[nodiscard]] const Experiment *scaleExperimentOf(const Family &family);
 
 /// Runs it before a loop is tuned, with no more duty than the tuning may use, its motor watched over by the guards of the tuning's
-/// limits. Ends with the scales in the device's profile, or with the run over; Refused, Unsafe with the cause.
+/// limits, once its direction is checked where this run of the program has not done that. Ends with the scales in the device's profile,
+/// or with the run over; Refused, Unsafe with the cause.
 [[nodiscard]] Task<void> findScales(AutotuneRun &run);
 
 } // namespace mb::tuning

@@ -43,11 +43,12 @@ ProposalBasis TuneDesign::basis() const
         m_run.envelope(), report.scale, report.taking};
 }
 
-/// The plan's own response and damping take the place of its aim's.
+/// The plan's own response and damping take the place of its aim's. What is compared with a proof makes the same step.
 ProposalWish TuneDesign::wishFor(Aim aim) const
 {
     const bool asked = aim == m_plan.aim;
-    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven, m_steepest};
+    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven, m_steepest,
+        m_isProven ? m_step : 0.0};
 }
 
 VelocityTaking TuneDesign::taking() const

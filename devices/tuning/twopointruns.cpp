@@ -49,11 +49,16 @@ bool TwoPointRuns::isLinear(double drive, bool isKnown) const
 {
     std::vector<double> small;
     std::vector<double> large;
+    double rise = 0.0; // of the larger ones
     for (const LoopRun &run : steps) {
-        if (run.p == steps.back().p && run.d == steps.back().d)
+        if (run.p == steps.back().p && run.d == steps.back().d) {
             (std::abs(run.step) * run.p < 0.75 * drive ? small : large).push_back(halfWay(run));
+            rise = std::max(rise, run.rise());
+        }
     }
-    return isKnown || small.empty() || large.empty() || median(small) >= earlierWhenSmall * median(large);
+    if (isKnown || small.empty() || large.empty())
+        return true;
+    return median(small) + 0.5 * rise >= earlierWhenSmall * (median(large) + 0.5 * rise);
 }
 
 std::vector<Gate> TwoPointRuns::gates(const LoopFit &fit, double drive, bool isKnown) const

@@ -18,7 +18,8 @@ struct TwoPointRuns {
     [[nodiscard]] std::vector<LoopRun> all() const;
     /// What holds the motor, P times counts: it rests anywhere up to that, and within a count.
     [[nodiscard]] double holding() const;
-    /// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier.
+    /// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier, by a part of the time that a
+    /// larger one takes to its middle, what leads it there included.
     [[nodiscard]] bool isLinear(double drive, bool isKnown) const;
     /// Fit, damping, friction, load and output: docs/tuning-method.md#without-a-duty-command.
     [[nodiscard]] std::vector<Gate> gates(const LoopFit &fit, double drive, bool isKnown) const;

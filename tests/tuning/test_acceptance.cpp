@@ -276,26 +276,54 @@ TEST(Acceptance, A13_ATuningTakesAMinuteAtMost)
     EXPECT_LE(worst, 60.0);
 }
 
+TEST(Acceptance, ASearchForScalesChecksTheDirectionBeforeItClosesALoop)
+{
+    for (const auto &[fault, reason] :
+        {std::pair("encoder-reversed", "wrong direction"), {"encoder-dead", "no motion"}}) {
+        ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+        ASSERT_TRUE(bench.simulator()->disturb(fault, 1.0)) << fault;
+        TunePlan plan = planOf(Mode::Velocity);
+        plan.keep = true;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(report->result, TuneResult::Stopped) << fault;
+        EXPECT_EQ(report->stopReason, reason) << report->evidence.english();
+        EXPECT_TRUE(report->stopped);
+        EXPECT_FALSE(bench.simulator()->isOutputOn());
+    }
+}
+
 /// The board tells nobody its duty, so no guard would see it.
 TEST(Acceptance, TheSearchForScalesStaysWithinTheDutyOfThePlan)
 {
     using quadquad2drv::PacketId;
     ExperimentBench bench("sim:spi", "quadquad2drv", 0);
     int powers = 0;
-    const auto heard = bench.bench.link->traffic().add([&powers](const Traffic &traffic) {
+    int loops = 0;
+    int limit = 0;
+    const auto heard = bench.bench.link->traffic().add([&](const Traffic &traffic) {
         if (traffic.direction != Direction::Sent || traffic.bytes.size() < 6)
             return;
         const auto id = static_cast<PacketId>(traffic.bytes[2]);
-        if (id == PacketId::SetPower || (id == PacketId::SetPowerLimit && powers == 0)) { // at its end it has all again
+        const int power = std::abs(static_cast<std::int16_t>(readU16le(traffic.bytes, 4)));
+        if (id == PacketId::SetPowerLimit) {
+            limit = power;
+        } else if (id == PacketId::SetPower) {
             ++powers;
-            EXPECT_LE(std::abs(static_cast<std::int16_t>(readU16le(traffic.bytes, 4))), 820);
+            EXPECT_LE(power, 820);
+        } else if (id == PacketId::SetVelocityTarget || id == PacketId::SetPositionTarget) {
+            ++loops;
+            EXPECT_LE(limit, 820);
         }
     });
     TunePlan plan = planOf(Mode::Velocity);
     plan.keep = true;
     plan.limits.duty = 0.1;
-    (void)tune(bench, plan);
+    const auto report = tune(bench, plan);
+    if (report)
+        std::printf("  %s\n", report->evidence.english().c_str());
     EXPECT_GT(powers, 2);
+    EXPECT_GT(loops, 0);
 }
 
 } // namespace

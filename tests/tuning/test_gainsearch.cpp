@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -59,6 +60,41 @@ TEST(GainSearch, IsQuickerThanTheRuleAndWithinTheSameBounds)
         EXPECT_LT(after, 0.8 * before);
         EXPECT_TRUE(isWithin(found.gains, task.bounds));
         EXPECT_TRUE(hasMargin(loop, geared, found.gains, task.mostMs, task.mostMsOff));
+    }
+}
+
+/// Strong motors of a Supermodified D3: friction holds them far from their target.
+TEST(GainSearch, AStepThatAProfileLeadsIsSearchedForAsItIsLedAndKeepsItsOvershootWhereNothingLeads)
+{
+    struct Row {
+        PlantModel motor;
+        double step;
+        double rate;
+        double less; ///< of the error that gains for steps leave
+    };
+    for (const auto &[motor, step, rate, less] :
+        {Row{{5e5, 0.19, 0.00204, 0.1}, 400.0, 9'100.0, 0.2}, Row{{5e6, 1.0, 0.00204, 0.26}, 5000.0, 31'000.0, 0.9}}) {
+        SearchTask task;
+        task.bounds.period = task.shape.period = 1.024e-3;
+        task.step = task.bounds.largestError = step;
+        task.overshoot = 0.03;
+        task.shape.isCounted = true;
+        const Design rule = design(Mode::Position, motor, responseOf(Mode::Position, Aim::Normal, motor), task.bounds);
+        const ContinuousGains ofSteps = searched(Mode::Position, motor, rule, task).gains;
+        task.shape.setPointRate = rate;
+        const ContinuousGains found = searched(Mode::Position, motor, rule, task).gains;
+        const double its = errorOfSteps(Mode::Position, motor, found, task);
+        const double theirs = errorOfSteps(Mode::Position, motor, ofSteps, task);
+        task.shape.setPointRate = 0.0;
+        SimulatedLoop loop(Mode::Position, motor, found, task.shape, 0.0);
+        double most = 0.0;
+        for (double t = 0.0; t < 1.0; t += task.shape.period) {
+            (void)loop.pass(step);
+            most = std::max(most, loop.value() / step - 1.0);
+        }
+        std::printf("led: %.4f, of gains for steps %.4f; overshoot of a step %.3f\n", its, theirs, most);
+        EXPECT_LT(its, less * theirs);
+        EXPECT_LE(most, 0.035);
     }
 }
 

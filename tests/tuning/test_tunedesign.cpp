@@ -185,6 +185,20 @@ TEST(TuneDesign, StepsOfAnotherMotorCorrectTheModelBothAfterAFailureAndAfterAPro
     }
 }
 
+TEST(TuneDesign, WhatIsComparedWithAProofMakesTheSameStep)
+{
+    ProvenDesign tested;
+    PlantModel other = tested.run.report().plant;
+    other.gain *= 1.2; // of which a step of its own would be larger
+    other.tau *= 1.3;
+    const double step = tested.design.step();
+    tested.run.report().proof = stepsOf(other, tested.run.report(), step);
+    const Result<bool> again = test::run(tested.bench.bench.clock, tested.design.sharpen(10.0));
+    ASSERT_TRUE(again && *again);
+    EXPECT_GT(tested.run.report().plant.gain, 1.1 * other.gain / 1.2);
+    EXPECT_EQ(tested.design.step(), step);
+}
+
 TEST(TuneDesign, NumbersThatWereAskedForAreNotChanged)
 {
     TunePlan plan = planOf(Mode::Velocity);

@@ -205,6 +205,18 @@ TEST(TwoPointRuns, ASmallerStepThatIsQuickerTellsOfAnOutputAtItsEnd)
     EXPECT_TRUE(runs.isLinear(10'000.0, true)) << "where the output is known they were chosen by it";
 }
 
+TEST(TwoPointRuns, AWayThatIsLedCountsWithWhatLeadsIt)
+{
+    TwoPointRuns runs;
+    runs.steps = {wayTo(50.0, 100.0, 0.0, 22), wayTo(100.0, 100.0, 0.0, 42)};
+    for (LoopRun &run : runs.steps)
+        run.rate = 2000.0; // within 25 and 50 ms, 9.5 and 17 ms behind
+    EXPECT_TRUE(runs.isLinear(10'000.0, false)) << "7.5 ms of 42";
+    runs.steps.back() = wayTo(100.0, 100.0, 0.0, 70);
+    runs.steps.back().rate = 2000.0;
+    EXPECT_FALSE(runs.isLinear(10'000.0, false)) << "its output did not follow the profile";
+}
+
 TEST(TwoPointRuns, EachGateFailsByItself)
 {
     TwoPointRuns runs;
