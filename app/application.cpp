@@ -249,7 +249,7 @@ void Application::keepJournal()
 }
 
 /// Language and sizes are in every widget: the window is made anew, on the same page with the same device, as soon as nothing holds it.
-/// The engine and what it records go on.
+/// The engine and what it records go on, and what pages know is the workbench's.
 void Application::followLook()
 {
     if (isHeld(*m_window, *m_engine)) {
@@ -262,6 +262,7 @@ void Application::followLook()
     m_lookWaits = false;
     const PageId page = m_window->shownPage();
     const DeviceId device = m_window->selection().device();
+    const int axis = m_window->selection().axis();
     const bool produces = m_window->production().isShown();
     const QByteArray geometry = m_window->saveGeometry();
     const QString help = m_window->help().shown();
@@ -271,7 +272,7 @@ void Application::followLook()
     const std::unique_ptr<MainWindow> before = std::move(m_window);
     makeWindow();
     m_window->restoreGeometry(geometry);
-    m_window->selection().select(device);
+    m_window->selection().select(device, axis);
     m_window->showPage(page);
     m_window->production().show(produces);
     m_window->show();

@@ -2,9 +2,8 @@
 #include "app/closing.h"
 
 #include "widgets/common/devicetext.h"
-#include "widgets/common/serviceview.h"
-#include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/motionwords.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -16,9 +15,36 @@ namespace {
 
 constexpr int lookEvery = 100; // ms
 
-bool isRunningTrial(const OperationView &job)
+struct Words {
+    QString question;
+    QString detail; ///< where it may be cut now
+    QString go;
+};
+
+Words wordsOf(Unfinished::Kind kind, const QString &places)
 {
-    return job.status.state == OperationStatus::State::Running && job.status.kind == OperationKind::Trial;
+    switch (kind) {
+    case Unfinished::Kind::Service:
+        return {Closing::tr("Units are being served. Cancel the queue?"),
+            Closing::tr("The journal knows where it stood, and the queue can be gone on with."),
+            Closing::tr("Cancel the queue and close")};
+    case Unfinished::Kind::Export:
+        return {Closing::tr("Samples are being written to %1. Cancel the export?").arg(places),
+            Closing::tr("Nothing of it is kept then."), Closing::tr("Cancel the export and close")};
+    case Unfinished::Kind::Update:
+        return {Closing::tr("Firmware is being written to %1. Cancel the update?").arg(places),
+            Closing::tr("The unit then waits in its bootloader, and the update can be run again."),
+            Closing::tr("Cancel the update and close")};
+    case Unfinished::Kind::Job: break;
+    }
+    return {};
+}
+
+/// This program has moved it, or knows that it moves, and nobody has seen it stand since it was told to stop, if it was. One that its
+/// own watchdog has switched off before is out of it.
+bool mayMove(const DeviceView &device)
+{
+    return device.motion.running || (device.stopsMotion && device.stop != StopState::ByWatchdog);
 }
 
 } // namespace
@@ -35,24 +61,13 @@ Closing::Closing(Workbench &workbench, Arming &arming, QWidget &window)
     connect(&m_look, &QTimer::timeout, this, &Closing::follow);
 }
 
-bool Closing::isServing() const
-{
-    return m_workbench.service().running;
-}
-
 bool Closing::mayClose()
 {
     m_within = true;
-    if (m_state == State::Open) {
-        if (isServing())
-            askAboutService();
-        else if (runningUpdates(m_workbench.snapshot()).empty())
-            begin();
-        else
-            askAboutUpdates();
-    } else if (m_question) {
+    if (m_state == State::Open)
+        askOrBegin();
+    else if (m_question)
         m_question->raise();
-    }
     m_within = false;
     return m_state == State::Free;
 }
@@ -62,12 +77,34 @@ void Closing::end()
     m_asks = false;
     if (m_question)
         m_question->close();
-    if (isServing())
-        m_workbench.send(orders::CancelService{});
-    if (m_state == State::Open || (m_state == State::Asking && m_moved.empty()))
+    if (m_state == State::Open || (m_state == State::Asking && m_about))
         begin();
     else if (m_state == State::Asking)
         leave();
+}
+
+/// About one kind after the other.
+void Closing::askOrBegin()
+{
+    const std::vector<Unfinished> all = unfinishedIn(m_window, m_workbench);
+    const auto next = std::ranges::find_if(
+        all, [this](const Unfinished &one) { return one.kind != Unfinished::Kind::Job && one.kind > m_about; });
+    if (next == all.end())
+        return begin();
+    m_about = next->kind;
+    QStringList places;
+    bool critical = false;
+    for (const Unfinished &one : all) {
+        if (one.kind != m_about)
+            continue;
+        places += one.what;
+        critical = critical || !one.mayInterrupt;
+    }
+    const Words words = wordsOf(next->kind, places.join(QStringLiteral(", ")));
+    const QAbstractButton &go = ask(words.question,
+        critical ? tr("What is written now must not be cut: the window closes once it is over.") : words.detail,
+        words.go);
+    connect(&go, &QAbstractButton::clicked, this, &Closing::askOrBegin);
 }
 
 QAbstractButton &Closing::ask(const QString &question, const QString &what, const QString &go)
@@ -89,39 +126,9 @@ QAbstractButton &Closing::ask(const QString &question, const QString &what, cons
     return *leaveButton;
 }
 
-void Closing::askAboutUpdates()
-{
-    const Snapshot &shot = m_workbench.snapshot();
-    QStringList places;
-    bool critical = false;
-    for (const OperationView *update : runningUpdates(shot)) {
-        places += placeOf(shot, *update);
-        critical = critical || !update->status.mayInterrupt;
-    }
-    QAbstractButton &go
-        = ask(tr("Firmware is being written to %1. Cancel the update?").arg(places.join(QStringLiteral(", "))),
-            critical ? tr("What is written now must not be cut: the window closes once it is over.")
-                     : tr("The unit then waits in its bootloader, and the update can be run again."),
-            tr("Cancel the update and close"));
-    connect(&go, &QAbstractButton::clicked, this, &Closing::begin);
-}
-
-void Closing::askAboutService()
-{
-    const auto &rows = m_workbench.service().rows;
-    const bool critical = std::ranges::any_of(rows, [](const service::QueueRow &row) { return !row.mayInterrupt; });
-    QAbstractButton &go = ask(tr("Units are being served. Cancel the queue?"),
-        critical ? tr("What is written now must not be cut: the window closes once it is over.")
-                 : tr("The journal knows where it stood, and the queue can be gone on with."),
-        tr("Cancel the queue and close"));
-    connect(&go, &QAbstractButton::clicked, this, [this] {
-        m_workbench.send(orders::CancelService{});
-        begin();
-    });
-}
-
 void Closing::askAboutMotors()
 {
+    m_about.reset();
     QAbstractButton &go
         = ask(tr("%1 has not been seen to stop. Close anyway?").arg(turning().join(QStringLiteral(", "))),
             tr("It was told to stop. Without this window nobody sees whether it does."), tr("Close anyway"));
@@ -131,19 +138,22 @@ void Closing::askAboutMotors()
 void Closing::begin()
 {
     m_state = State::Ending;
+    m_since = m_workbench.now();
     m_moved.clear();
     for (const DeviceView &device : m_workbench.snapshot().devices) {
-        if (device.motion.running)
+        if (mayMove(device))
             m_moved.push_back(device.id);
     }
-    for (const OperationView &job : m_workbench.snapshot().operations) { // also between their motions
-        if (isRunningTrial(job))
-            m_moved.push_back(job.device);
+    QStringList awaited;
+    for (const Unfinished &one : unfinishedIn(m_window, m_workbench)) {
+        if (one.kind == Unfinished::Kind::Job)
+            awaited += one.what;
+        if (one.cancel && one.kind != Unfinished::Kind::Update)
+            one.cancel();
     }
-    m_since = m_workbench.now();
-    if (m_asks && isPuttingBack())
-        m_workbench.report(
-            Severity::Info, {}, tr("The window closes once the experiment has put back what it changed."));
+    if (m_asks && !awaited.isEmpty())
+        m_workbench.report(Severity::Info, {},
+            tr("The window closes once this has ended: %1").arg(awaited.join(QStringLiteral(", "))));
     m_arming.disarm();
     for (const DeviceId device : m_moved)
         m_workbench.send(orders::StopMotion{device});
@@ -151,59 +161,53 @@ void Closing::begin()
     follow();
 }
 
-bool Closing::isPuttingBack() const
-{
-    const auto &jobs = m_workbench.snapshot().operations;
-    return (m_arming.isOnTrial() || std::ranges::any_of(jobs, isRunningTrial))
-        && m_workbench.now() - m_since <= longestPuttingBack;
-}
-
 void Closing::follow()
 {
-    if (m_state == State::Asking && m_question && m_moved.empty() && !isServing()
-        && runningUpdates(m_workbench.snapshot()).empty()) {
-        m_question->close(); // it is over: nothing to ask any more
-        keepOpen();
+    if (m_state == State::Asking)
+        return followQuestion();
+    if (m_state != State::Ending)
+        return;
+    bool cuts = false;
+    bool waits = m_arming.isOnTrial();
+    for (const Unfinished &one : unfinishedIn(m_window, m_workbench)) {
+        if (one.kind == Unfinished::Kind::Update && one.mayInterrupt)
+            one.cancel();
+        (one.kind == Unfinished::Kind::Job ? waits : cuts) = true;
+    }
+    if (cuts) {
+        m_since = m_workbench.now();
         return;
     }
-    if (m_state == State::Asking && !m_moved.empty() && turning().isEmpty()) {
-        m_question->close();
+    const Duration time = m_workbench.now() - m_since;
+    const bool stands = turning().isEmpty();
+    if (stands && (!waits || time > longestJob))
         leave();
-        return;
-    }
-    if (m_state != State::Ending || !endUpdates())
-        return;
-    if (turning().isEmpty()) {
-        if (!isPuttingBack())
-            leave();
-    } else if (m_workbench.now() - m_since > patience) {
+    else if (!stands && time > patience)
         m_asks ? askAboutMotors() : leave();
-    }
 }
 
-/// Whether none runs any more.
-bool Closing::endUpdates()
+/// What is over needs no answer any more.
+void Closing::followQuestion()
 {
-    const auto updates = runningUpdates(m_workbench.snapshot());
-    for (const OperationView *update : updates) {
-        if (update->status.mayInterrupt)
-            m_workbench.send(orders::CancelOperation{update->id});
-    }
-    const bool all = updates.empty() && !isServing();
-    if (!all)
-        m_since = m_workbench.now();
-    return all;
+    const std::vector<Unfinished> all = unfinishedIn(m_window, m_workbench);
+    const auto isMeant = [this](const Unfinished &one) { return one.kind == m_about; };
+    if (m_about ? std::ranges::any_of(all, isMeant) : !turning().isEmpty())
+        return;
+    if (m_question)
+        m_question->close();
+    m_about ? keepOpen() : leave();
 }
 
 QStringList Closing::turning() const
 {
+    const Snapshot &shot = m_workbench.snapshot();
     QStringList names;
-    for (const DeviceId id : m_moved) {
-        const DeviceView *device = m_workbench.snapshot().device(id);
-        if (device && (device->motion.running || device->liveness.moving || !device->liveness.heard))
-            names += titleOf(*device);
+    for (const DeviceView &device : shot.devices) {
+        const bool isMoved = std::ranges::find(m_moved, device.id) != m_moved.end();
+        if (mayMove(device) || (isMoved && device.stopsMotion))
+            names += titleOf(device);
     }
-    return names;
+    return names + namesOwed(shot);
 }
 
 void Closing::keepOpen()
@@ -211,6 +215,7 @@ void Closing::keepOpen()
     m_state = State::Open;
     m_look.stop();
     m_moved.clear();
+    m_about.reset();
 }
 
 void Closing::leave()

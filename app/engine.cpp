@@ -203,7 +203,7 @@ bool Engine::end(std::chrono::milliseconds limit)
             m_worker->core.stopAll(StopCause::Program);
             m_ending.stopped = true;
         });
-        m_toEngine.post([] { QThread::currentThread()->exit(); });
+        m_toEngine.post([this] { m_worker->core.wrapUp([] { QThread::currentThread()->exit(); }); });
     }
     const QDeadlineTimer until(limit);
     if (!m_thread->wait(QDeadlineTimer(std::min(limit, stopPatience))) && !m_ending.stopped)

@@ -96,7 +96,7 @@ void MainWindow::buildHeader()
     column->addWidget(m_header);
     column->addWidget(strip);
     setMenuWidget(top);
-    m_station = new StationLamp(m_workbench, *m_arming, m_selection, *m_header);
+    m_station = new StationLamp(m_workbench, *m_arming, *m_closing, m_selection, *m_header);
     connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
     // what is held to arm or to begin must not act after it
     connect(m_arming, &Arming::stopSent, this, [this] {

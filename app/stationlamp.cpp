@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/stationlamp.h"
 
+#include "app/closing.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/control/arming.h"
 #include "widgets/service/verdictof.h"
@@ -9,10 +10,12 @@
 
 namespace mb {
 
-StationLamp::StationLamp(Workbench &workbench, Arming &arming, Selection &selection, HeaderBar &header)
+StationLamp::StationLamp(
+    Workbench &workbench, Arming &arming, const Closing &closing, Selection &selection, HeaderBar &header)
     : QObject(&header)
     , m_workbench(workbench)
     , m_arming(arming)
+    , m_closing(closing)
     , m_selection(selection)
     , m_header(header)
 {
@@ -23,7 +26,9 @@ StationLamp::StationLamp(Workbench &workbench, Arming &arming, Selection &select
 
 void StationLamp::follow()
 {
-    m_header.setLampStatus(over(m_arming.status(m_selection.device())));
+    LampStatus status = over(m_arming.status(m_selection.device()));
+    status.armable = status.armable && !m_closing.isEnding();
+    m_header.setLampStatus(status);
 }
 
 /// The unit whose self-test runs now, its motor with it, until it is seen to rest; one that is announced, or waits, turns nothing yet.

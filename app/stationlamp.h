@@ -8,6 +8,7 @@
 namespace mb {
 
 class Arming;
+class Closing;
 class HeaderBar;
 
 namespace service {
@@ -15,11 +16,11 @@ struct QueueRow;
 } // namespace service
 
 /// The lamp of the header: what it says, and what holding it arms. That is the selected device; while units are served, the
-/// self-tests of the queue: armed is armed, whoever lets a motor turn. GUI thread.
+/// self-tests of the queue: armed is armed, whoever lets a motor turn. Nothing is armed in a window that is about to go. GUI thread.
 class StationLamp : public QObject {
     Q_OBJECT
 public:
-    StationLamp(Workbench &workbench, Arming &arming, Selection &selection, HeaderBar &header);
+    StationLamp(Workbench &workbench, Arming &arming, const Closing &closing, Selection &selection, HeaderBar &header);
     void follow();
 
 private:
@@ -30,6 +31,7 @@ private:
 
     Workbench &m_workbench;
     Arming &m_arming;
+    const Closing &m_closing;
     Selection &m_selection;
     HeaderBar &m_header;
 };

@@ -3,7 +3,7 @@
 
 #include "app/closing.h"
 #include "app/mainwindow.h"
-#include "widgets/common/serviceview.h"
+#include "app/unfinished.h"
 #include "widgets/help/helpwindow.h"
 
 #include <QApplication>
@@ -12,14 +12,6 @@
 
 namespace mb {
 namespace {
-
-bool isAnythingRunning(const Workbench &workbench)
-{
-    const auto &jobs = workbench.snapshot().operations;
-    return workbench.service().running || std::ranges::any_of(jobs, [](const OperationView &job) {
-        return job.status.state == OperationStatus::State::Running;
-    });
-}
 
 bool hasOtherWindows(const MainWindow &window)
 {
@@ -33,11 +25,11 @@ bool hasOtherWindows(const MainWindow &window)
 
 } // namespace
 
-bool isHeld(MainWindow &window, const Workbench &workbench)
+bool isHeld(MainWindow &window, Workbench &workbench)
 {
     const LampState lamp = window.arming().state();
     return (lamp != LampState::Safe && lamp != LampState::Stopped) || window.arming().hasMotion()
-        || window.closing().isEnding() || isAnythingRunning(workbench) || hasOtherWindows(window)
+        || window.closing().isEnding() || !unfinishedIn(window, workbench).empty() || hasOtherWindows(window)
         || QGuiApplication::mouseButtons() != Qt::NoButton;
 }
 

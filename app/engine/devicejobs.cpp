@@ -6,7 +6,8 @@ namespace mb {
 void DeviceJobs::carryOut(const orders::Identify &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, say("Identify"), [](Device &device, Progress &) { return device.identify(); }, finished);
+        order.device, {say("Identify"), OperationKind::Look},
+        [](Device &device, Progress &) { return device.identify(); }, finished);
 }
 
 void DeviceJobs::carryOut(const orders::Rename &order, const Finished &finished)

@@ -40,7 +40,7 @@ void Encounters::look()
             continue;
         m_met[id] = unit;
         Operations::Job *const job = m_context.operations.begin<settings::ParameterSnapshot>(
-            id, say("Take a snapshot"),
+            id, {say("Take a snapshot"), OperationKind::Look},
             [log = m_parameters.log()](Device &found, Progress &progress) { return meetUnit(found, *log, progress); },
             [this](Operations::Job &done, const Result<settings::ParameterSnapshot> &taken) { met(done, taken); },
             [](const Result<void> &) {});

@@ -32,6 +32,8 @@ public:
     }
     /// STOP: every motor, at once; nothing that is served turns one any more.
     void stopAll(StopCause cause);
+    /// Before the end, which `done` may bring: what this program has asked of devices for itself is given back (Rates::end()).
+    void wrapUp(std::function<void()> done) { m_rates.end(std::move(done)); }
 
     [[nodiscard]] Session &session() { return m_session; }
     [[nodiscard]] Snapshot snapshot() const { return m_publisher.take(); }

@@ -74,7 +74,7 @@ void OwedBook::lookUp(const Device &device)
 void OwedBook::compare(DeviceId id, const std::string &unit)
 {
     m_context.operations.begin<Owed>(
-        id, say("Look for gains that are owed"),
+        id, {say("Look for gains that are owed"), OperationKind::Look},
         [this](Device &device, Progress &) { return tuning::lookForOwed(device, *m_journal); },
         [this, id](Operations::Job &, const Result<Owed> &owed) {
             if (owed && !owed->empty())

@@ -4,12 +4,14 @@
 #include "app/engine/operations.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
 
 /// A page that appears reads first.
 constexpr Duration betweenRates = std::chrono::milliseconds(100);
+constexpr Duration longestEnd = std::chrono::seconds(1);
 
 } // namespace
 
@@ -34,6 +36,22 @@ void Rates::restore(DeviceId device)
 {
     std::erase_if(m_inForce, [device](const auto &one) { return one.first.first == device; });
     setNext();
+}
+
+void Rates::end(std::function<void()> done)
+{
+    m_wishes.clear();
+    m_done = std::move(done);
+    m_limit.startIn(longestEnd, [this] { finish(); });
+    m_next.startIn(Duration::zero(), [this] { setNext(); });
+}
+
+void Rates::finish()
+{
+    m_next.stop();
+    m_limit.stop();
+    if (const auto done = std::exchange(m_done, {}))
+        done();
 }
 
 /// Of each channel the highest.
@@ -81,6 +99,8 @@ void Rates::setNext()
     std::erase_if(m_inForce, [&](const auto &one) { return isGone(one.first); });
     std::erase_if(m_lost, isGone);
     const std::map<Place, double> waiting = open();
+    if (waiting.empty() && m_done && m_underWay == 0)
+        return finish();
     if (waiting.empty())
         return;
     wait();
@@ -98,11 +118,13 @@ void Rates::set(const Place &place, double hertz)
         m_inForce[place] = hertz;
     else
         m_inForce.erase(place);
-    m_context.operations.begin<void>(
-        place.first, say("Set telemetry rate"),
+    const bool begun = m_context.operations.begin<void>(
+        place.first, {say("Set telemetry rate"), OperationKind::Look},
         [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
         [this, place](const Operations::Job &job, const Result<void> &result) { ended(place, job.device, result); },
         [](const Result<void> &) {});
+    if (begun)
+        ++m_underWay;
 }
 
 void Rates::ended(const Place &place, DeviceId device, const Result<void> &result)
@@ -113,7 +135,10 @@ void Rates::ended(const Place &place, DeviceId device, const Result<void> &resul
         m_lost.erase(place);
     if (isNews && result.error().fault != Fault::Unsupported) // then it stays as it is
         m_context.log.tell(Severity::Caution, device, say("Set telemetry rate: %1", result.error().message()));
-    if (isLost)
+    --m_underWay;
+    if (m_done)
+        setNext();
+    else if (isLost)
         wait();
 }
 

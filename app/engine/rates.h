@@ -4,6 +4,7 @@
 #include "app/engine/context.h"
 #include "widgets/orders/deviceorders.h"
 
+#include <functional>
 #include <map>
 #include <set>
 
@@ -16,7 +17,7 @@ namespace mb {
 /// family sends it for the fastest of them (telemetry/framerate.h). An experiment has the device to itself and rates of its own
 /// while it runs, whatever pages wish (tuning/experimentrun.h); afterwards the wishes hold again.
 /// How a wish ends: the same one wishes without it, and a page that is hidden or closed wishes nothing. Then the next highest holds,
-/// or the device's own rate where nobody is left.
+/// or the device's own rate where nobody is left, also at the end of the program.
 ///
 /// Each rate is an operation of its device, so they are set one after the other, each while its device is free, what somebody waits to
 /// see before what nobody does. A rate that a device refuses is told in the log, and not asked for again; one that got lost is told
@@ -26,12 +27,15 @@ public:
     explicit Rates(const EngineContext &context)
         : m_context(context)
         , m_next(context.clock)
+        , m_limit(context.clock)
     {
     }
 
     void carryOut(const orders::WishRates &order, const Finished &finished);
     /// An experiment had rates of its own in this device.
     void restore(DeviceId device);
+    /// Nobody wishes anything any more. `done` is called once, later: when devices have their own rates, or after a second.
+    void end(std::function<void()> done);
 
 private:
     using Place = std::pair<DeviceId, ChannelIndex>;
@@ -43,12 +47,16 @@ private:
     void setNext();
     void set(const Place &place, double hertz);
     void ended(const Place &place, DeviceId device, const Result<void> &result);
+    void finish();
 
     EngineContext m_context;
     std::map<std::uint64_t, std::map<Place, double>> m_wishes; ///< by who wishes
     std::map<Place, double> m_inForce;                         ///< what the devices were asked for
     std::set<Place> m_lost;                                    ///< without an answer, so perhaps not in force; told so
+    int m_underWay = 0;
+    std::function<void()> m_done; ///< of end(); empty: it has not begun, or is over
     Timer m_next;
+    Timer m_limit;
 };
 
 } // namespace mb

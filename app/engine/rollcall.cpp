@@ -53,7 +53,8 @@ void RollCall::refreshRestarted()
         device->parameters().forgetAll();
         m_encounters.forget(id);
         m_context.operations.begin(
-            id, say("Look at the restarted unit"), [](Device &unit, Progress &) { return unit.refresh(); },
+            id, {say("Look at the restarted unit"), OperationKind::Look},
+            [](Device &unit, Progress &) { return unit.refresh(); },
             [this, id](const Result<void> &result) {
                 if (result)
                     m_parameters.carryOut(orders::ReadParameters{id}, [](const Result<void> &) {});

@@ -60,8 +60,10 @@ void Device::setLiveness(const Liveness &liveness)
 
 void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Instant time)
 {
-    if (liveness.restarted && !m_liveness.restarted)
+    if (liveness.restarted && !m_liveness.restarted) {
         m_gate.forgetMove();
+        m_gate.originMoved();
+    }
     const bool changed = liveness != m_liveness;
     if (changed)
         m_liveness = liveness;

@@ -53,6 +53,7 @@ public:
     [[nodiscard]] virtual Message caution(const SetPoint &) const { return {}; }
     /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
     /// zeroPosition). The motor stays off. Unsafe when the stop is not acknowledged: nothing was zeroed then.
+    /// MotionGate::originMoved() once it may have been.
     [[nodiscard]] virtual Task<void> zeroPosition();
 
 protected:

@@ -6,6 +6,7 @@
 #include "model/setpoint.h"
 
 #include <atomic>
+#include <cstdint>
 #include <utility>
 
 namespace mb {
@@ -23,7 +24,7 @@ struct KeptMove {
 };
 
 /// What of this program stands before a motion of a device: STOP that is pressed, an update that runs, a move that the device
-/// keeps for later. Engine thread, but for the flag behind setStopGate().
+/// keeps for later, targets that are of another origin. Engine thread, but for the flag behind setStopGate().
 class MotionGate {
 public:
     MotionGate() = default;
@@ -67,11 +68,16 @@ public:
     /// The device has none any more.
     void forgetMove() { m_kept = {}; }
 
+    /// Another number once its positions may count from another place: somebody has zeroed them, or it has restarted.
+    [[nodiscard]] std::uint32_t origin() const { return m_origin; }
+    void originMoved() { ++m_origin; }
+
 private:
     Message m_busy;
     const std::atomic<bool> *m_stopGate = nullptr;
     Instant m_stoppedAt{};
     KeptMove m_kept;
+    std::uint32_t m_origin = 0;
     KeptMove::State m_before = KeptMove::State::None; ///< the newest was sent
 };
 

@@ -19,9 +19,9 @@ struct LogLine {
     Message text;
 };
 
-/// What a long job does, for who has to know: its title is for people. Other: nobody asks. Trial: puts back what it changed when it is
-/// told to stop.
-enum class OperationKind { Other, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment, Trial };
+/// What a long job does, for who has to know: its title is for people. Other: nobody asks, and it may change something. Look: nothing is
+/// lost when it is cut. Trial: puts back what it changed when it is told to stop.
+enum class OperationKind { Other, Look, ReadParameters, RewriteSettings, UpdateFirmware, FamilyExperiment, Trial };
 
 /// How far an update is.
 struct UpdateStanding {

@@ -49,6 +49,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.link = device.link().address().text();
     view.unit = unitKeyOf(device.identity(), device.link().line(), device.link().address().isSimulated());
     view.liveness = device.liveness();
+    view.origin = device.gate().origin();
     view.states = device.states();
     view.busy = device.gate().busy();
     const SetPointStream &stream = session.stream(device);

@@ -60,8 +60,9 @@ struct DeviceView {
     std::string link; ///< address of its link
     std::string unit; ///< unitKeyOf()
     Liveness liveness;
-    LiveStates states; ///< by the rows of family->states
-    Message busy;      ///< what it does now
+    std::uint32_t origin = 0; ///< MotionGate::origin()
+    LiveStates states;        ///< by the rows of family->states
+    Message busy;             ///< what it does now
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
     std::vector<double> rates;                             ///< samples per second, in table order of the channels

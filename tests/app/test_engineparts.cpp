@@ -175,6 +175,36 @@ TEST_F(EngineParts, TheHighestWishHoldsAndWhoEndsGivesItBack)
     EXPECT_EQ(operations.jobs().size(), settings);
 }
 
+TEST_F(EngineParts, TheEndGivesRaisedRatesBackAndWaitsForNobodyLongerThanASecond)
+{
+    Rates rates(context);
+    clock.advance(3s);
+    const auto rate = [this] { return device(5).telemetry()->rate(velocity(), device(5).clock().now()); };
+    const double own = rate();
+    int ends = 0;
+    wish(rates, 1, 200.0);
+    clock.advance(3s);
+    ASSERT_NEAR(rate(), 200.0, 10.0);
+    wish(rates, 1, 0.0); // its window has gone
+    rates.end([&ends] { ++ends; });
+    ASSERT_TRUE(clock.runUntil([&ends] { return ends > 0; }, 500ms));
+    clock.advance(4s);
+    EXPECT_NEAR(rate(), own, 0.1 * own);
+    EXPECT_EQ(ends, 1);
+
+    wish(rates, 1, 200.0);
+    clock.advance(3s);
+    session.bench(*link)->setLoss(1.0);
+    rates.end([&ends] { ++ends; });
+    clock.advance(990ms);
+    EXPECT_EQ(ends, 1) << "it is told as long as it may answer";
+    clock.advance(20ms);
+    EXPECT_EQ(ends, 2);
+    rates.end([&ends] { ++ends; });
+    session.bench(*link)->setLoss(0.0);
+    ASSERT_TRUE(clock.runUntil([&ends] { return ends == 3; }, 1010ms));
+}
+
 TEST_F(EngineParts, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
 {
     std::vector<Result<void>> first;

@@ -5,6 +5,7 @@
 #include "windowbench.h"
 
 #include "app/closing.h"
+#include "widgets/plots/exportjob.h"
 
 #include <QCloseEvent>
 #include <QMessageBox>
@@ -16,6 +17,9 @@
 using namespace mb;
 using namespace mb::test;
 
+Q_DECLARE_METATYPE(mb::OperationKind)
+Q_DECLARE_METATYPE(mb::StopState)
+
 class ClosingTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
@@ -25,11 +29,17 @@ private Q_SLOTS:
     void whatMustNotBeCutIsWaitedOut();
     void anUpdateThatEndsTakesItsQuestionAway();
     void aQueueIsNotAbandonedWithoutAQuestion();
+    void anExportIsNotAbandonedWithoutAQuestion();
     void aMotorIsSeenStoppedBeforeTheWindowGoes();
     void aMotorThatDoesNotStopIsAskedAbout();
+    void aMotorThatWasToldToStopBeforeIsAskedAboutToo_data();
+    void aMotorThatWasToldToStopBeforeIsAskedAboutToo();
     void anEngineThatTellsNothingMoreDoesNotKeepTheWindowOpen();
     void anExperimentPutsBackWhatItChangedBeforeTheWindowGoes();
     void anExperimentThatDoesNotEndLeavesItsGainsOwed();
+    void whatWritesToAUnitEndsBeforeTheWindowGoes_data();
+    void whatWritesToAUnitEndsBeforeTheWindowGoes();
+    void whatOnlyLooksAtAUnitHoldsNothingUp();
     void whoeverEndsTheProgramIsNotAskedAboutAnUpdate();
     void whoeverEndsTheProgramIsNotAskedAboutAQueue();
     void aQuestionThatStandsIsAnsweredByTheEndOfTheProgram();
@@ -66,19 +76,26 @@ public:
         workbench.shot.operations = {operation};
         workbench.publish();
     }
-    void trying()
+    void working(OperationKind kind)
     {
         OperationView operation;
         operation.id = {4};
         operation.device = {1};
-        operation.status.kind = OperationKind::Trial;
+        operation.status.kind = kind;
         workbench.shot.operations = {operation};
         workbench.publish();
     }
     void moving()
     {
         unit().motion.running = true;
-        unit().liveness.moving = true;
+        workbench.publish();
+    }
+    /// As every motor that was told to stop, until it is seen to.
+    void stopping()
+    {
+        unit().motion.running = false;
+        unit().stop = StopState::Stopping;
+        unit().stopsMotion = true;
         workbench.publish();
     }
     [[nodiscard]] QMessageBox *question() const
@@ -189,6 +206,26 @@ void ClosingTest::aQueueIsNotAbandonedWithoutAQuestion()
     QVERIFY(!window.isVisible());
 }
 
+void ClosingTest::anExportIsNotAbandonedWithoutAQuestion()
+{
+    ClosingWindow window;
+    ExportJob job(&window);
+    QVERIFY(job.start(
+        [](const ExportProgress &progress) -> Result<ExportReport> {
+            while (progress(0.5)) { }
+            return fail(Fault::Cancelled, say("cancelled"));
+        },
+        QStringLiteral("samples.mcap")));
+    QVERIFY(!window.close());
+    QVERIFY(window.question()->text().contains(QStringLiteral("samples.mcap")));
+    window.answer(QStringLiteral("Keep open"));
+    QVERIFY(job.isRunning());
+    QVERIFY(!window.close());
+    window.answer(QStringLiteral("Cancel the export and close"));
+    QTRY_VERIFY(!window.isVisible());
+    QVERIFY(!job.isRunning());
+}
+
 void ClosingTest::aMotorIsSeenStoppedBeforeTheWindowGoes()
 {
     ClosingWindow window;
@@ -196,10 +233,10 @@ void ClosingTest::aMotorIsSeenStoppedBeforeTheWindowGoes()
     QVERIFY(!window.close());
     QVERIFY(!window.question());
     QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
-    window.unit().motion.running = false;
-    window.workbench.publish();
+    window.stopping();
     QVERIFY(window.isVisible()); // told to stop, and not seen to
-    window.unit().liveness.moving = false;
+    window.unit().stop = StopState::Seen;
+    window.unit().stopsMotion = false;
     window.workbench.publish();
     QVERIFY(!window.isVisible());
 }
@@ -209,15 +246,49 @@ void ClosingTest::aMotorThatDoesNotStopIsAskedAbout()
     ClosingWindow window;
     window.moving();
     QVERIFY(!window.close());
-    window.unit().motion.running = false;
     window.workbench.time += Closing::patience;
-    window.workbench.publish();
+    window.stopping();
     QVERIFY(!window.question());
     window.workbench.time += std::chrono::milliseconds(100);
     window.workbench.publish();
     QVERIFY(window.question()->text().contains(QStringLiteral("DMC60C #5 has not been seen to stop")));
     window.answer(QStringLiteral("Close anyway"));
     QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::aMotorThatWasToldToStopBeforeIsAskedAboutToo_data()
+{
+    QTest::addColumn<StopState>("stop");
+    QTest::addColumn<bool>("listed");
+    QTest::newRow("it runs out") << StopState::Stopping << true;
+    QTest::newRow("it does not confirm") << StopState::Unconfirmed << true;
+    QTest::newRow("its cable came out") << StopState::Owed << true;
+    QTest::newRow("its link is closed") << StopState::Owed << false;
+    QTest::newRow("its watchdog has stopped it") << StopState::ByWatchdog << true;
+}
+
+void ClosingTest::aMotorThatWasToldToStopBeforeIsAskedAboutToo()
+{
+    QFETCH(const StopState, stop);
+    QFETCH(const bool, listed);
+    for (const bool byHand : {true, false}) {
+        ClosingWindow window;
+        window.stopping();
+        window.unit().stop = stop;
+        if (!listed) {
+            window.workbench.shot.devices.clear();
+            window.workbench.shot.owedStops.push_back({"sim:can/dmc60c:5", false});
+        }
+        byHand ? static_cast<void>(window.close()) : window.closing.end();
+        QCOMPARE(window.isVisible(), stop != StopState::ByWatchdog);
+        if (stop == StopState::ByWatchdog)
+            continue;
+        window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
+        window.workbench.publish();
+        QCOMPARE(window.isVisible(), byHand);
+        QCOMPARE(window.question() != nullptr, byHand);
+        QCOMPARE(window.closing.unstopped().isEmpty(), byHand);
+    }
 }
 
 void ClosingTest::anEngineThatTellsNothingMoreDoesNotKeepTheWindowOpen()
@@ -234,10 +305,10 @@ void ClosingTest::anEngineThatTellsNothingMoreDoesNotKeepTheWindowOpen()
 void ClosingTest::anExperimentPutsBackWhatItChangedBeforeTheWindowGoes()
 {
     ClosingWindow window;
-    window.trying(); // between two motions
+    window.working(OperationKind::Trial); // between two motions
     QVERIFY(!window.close());
     QVERIFY(!window.question());
-    QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
+    QCOMPARE(window.workbench.given<orders::CancelOperation>().size(), 1U);
     window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
     window.workbench.publish();
     QVERIFY(window.isVisible());
@@ -249,11 +320,45 @@ void ClosingTest::anExperimentPutsBackWhatItChangedBeforeTheWindowGoes()
 void ClosingTest::anExperimentThatDoesNotEndLeavesItsGainsOwed()
 {
     ClosingWindow window;
-    window.trying();
+    window.working(OperationKind::Trial);
     QVERIFY(!window.close());
-    window.workbench.time += Closing::longestPuttingBack + std::chrono::milliseconds(100);
+    window.workbench.time += Closing::longestJob + std::chrono::milliseconds(100);
     window.workbench.publish();
     QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::whatWritesToAUnitEndsBeforeTheWindowGoes_data()
+{
+    QTest::addColumn<OperationKind>("kind");
+    QTest::newRow("a write, a number, a store") << OperationKind::Other;
+    QTest::newRow("settings that are written again") << OperationKind::RewriteSettings;
+    QTest::newRow("an experiment of the family") << OperationKind::FamilyExperiment;
+}
+
+void ClosingTest::whatWritesToAUnitEndsBeforeTheWindowGoes()
+{
+    QFETCH(const OperationKind, kind);
+    for (const bool byHand : {true, false}) {
+        ClosingWindow window;
+        window.working(kind);
+        byHand ? static_cast<void>(window.close()) : window.closing.end();
+        QVERIFY(window.isVisible());
+        QVERIFY(!window.question());
+        QCOMPARE(window.workbench.given<orders::CancelOperation>().size(),
+            kind == OperationKind::FamilyExperiment ? 1U : 0U);
+        window.update().state = OperationStatus::State::Done;
+        window.workbench.publish();
+        QVERIFY(!window.isVisible());
+    }
+}
+
+void ClosingTest::whatOnlyLooksAtAUnitHoldsNothingUp()
+{
+    for (const OperationKind kind : {OperationKind::Look, OperationKind::ReadParameters}) {
+        ClosingWindow window;
+        window.working(kind);
+        QVERIFY(window.close());
+    }
 }
 
 void ClosingTest::whoeverEndsTheProgramIsNotAskedAboutAnUpdate()
@@ -305,9 +410,8 @@ void ClosingTest::theEndOfTheProgramNamesTheMotorThatWasNotSeenToStop()
     window.moving();
     window.closing.end();
     QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
-    window.unit().motion.running = false;
     window.workbench.time += Closing::patience + std::chrono::milliseconds(100);
-    window.workbench.publish();
+    window.stopping();
     QVERIFY(!window.question());
     QVERIFY(!window.isVisible());
     QCOMPARE(window.closing.unstopped(), QStringList{QStringLiteral("DMC60C #5")});

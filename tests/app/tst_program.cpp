@@ -11,8 +11,13 @@
 #include "app/settings.h"
 #include "support/windowtests.h"
 #include "widgets/common/segmented.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/tunecolumn.h"
+#include "widgets/control/tuneform.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/control/tuneplot.h"
+#include "widgets/plots/exportjob.h"
+#include "widgets/plots/plotspage.h"
 #include "widgets/plots/sampleswindow.h"
 #include "widgets/service/productionpage.h"
 
@@ -25,11 +30,14 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include <atomic>
 #include <csignal>
+#include <thread>
 
 using namespace mb;
 using namespace mb::test;
@@ -75,6 +83,8 @@ private Q_SLOTS:
     void theThemeMayBeTheDesktops();
     void nothingChangesWhileAMotorIsArmed();
     void preferencesWaitUntilAnUpdateIsOver();
+    void preferencesWaitUntilAnExportIsWritten();
+    void theNextWindowForgetsNothing();
     void preferencesWaitUntilAnExperimentHasPutBackItsGains();
     void aCommandIsFoundByItsNameAndRun();
     void recordedSamplesOpenInAWindowOfTheirOwn();
@@ -247,6 +257,49 @@ void ProgramTest::preferencesWaitUntilAnUpdateIsOver()
     bench.engine().send(orders::CancelOperation{update()->id});
     QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
     QCOMPARE(bench.window().shownPage(), PageId::Firmware);
+}
+
+void ProgramTest::preferencesWaitUntilAnExportIsWritten()
+{
+    WindowBench bench;
+    std::atomic<bool> written{false};
+    auto *job = new ExportJob(&bench.window());
+    QVERIFY(job->start(
+        [&written](const ExportProgress &progress) -> Result<ExportReport> {
+            while (!written && progress(0.5))
+                std::this_thread::yield();
+            return ExportReport();
+        },
+        QStringLiteral("samples.mcap")));
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTest::qWait(100);
+    QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
+    written = true;
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
+}
+
+void ProgramTest::theNextWindowForgetsNothing()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    auto &tune = bench.page<TunePage>(PageId::Tune);
+    tune.showLive(true);
+    tune.form().choose(Mode::Velocity, 3210.0);
+    for (QCheckBox *box : tune.findChildren<QCheckBox *>()) {
+        if (box->accessibleName() == QStringLiteral("Reverse sensor"))
+            box->setChecked(true);
+    }
+    bench.page<PlotsPage>(PageId::Plots).board().addNote(1.0, QStringLiteral("belt on"));
+    const QPointer<QWidget> before = &bench.window();
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTRY_VERIFY_WITH_TIMEOUT(!before, patience);
+    QCOMPARE(bench.page<PlotsPage>(PageId::Plots).board().notes().size(), std::size_t{1});
+    auto &next = bench.page<TunePage>(PageId::Tune);
+    QVERIFY(next.isLive());
+    const SetPointPanel &panel = next.column().setPointPanel();
+    QCOMPARE(panel.target().value_or(0.0), 3210.0);
+    QVERIFY(panel.entered().options.reverseSensor);
 }
 
 void ProgramTest::preferencesWaitUntilAnExperimentHasPutBackItsGains()

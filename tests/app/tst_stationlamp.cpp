@@ -3,6 +3,7 @@
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 
+#include "app/closing.h"
 #include "app/stationlamp.h"
 #include "model/registry.h"
 #include "widgets/common/headerbar.h"
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void aTestThatIsAnnouncedTurnsNothingYet();
     void unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing();
     void whatIsHeldForOneDeviceArmsNoOther();
+    void nothingIsArmedWhileTheWindowCloses();
 };
 
 namespace {
@@ -32,8 +34,9 @@ struct LampBench {
     ThemeSource theme{lightTheme()};
     HeaderBar header{theme};
     Arming arming{workbench};
+    Closing closing{workbench, arming, header};
     Selection selection;
-    StationLamp lamp{workbench, arming, selection, header};
+    StationLamp lamp{workbench, arming, closing, selection, header};
 
     /// Rows whose units are in their self-test.
     void serveTests(std::size_t count)
@@ -42,6 +45,19 @@ struct LampBench {
         row.state = service::RowState::Running;
         row.visit.step = service::Step::Test;
         workbench.serve(std::vector<service::QueueRow>(count, row));
+    }
+    /// Two devices that can be armed; the first is selected.
+    void find()
+    {
+        for (const std::uint32_t id : {1U, 2U}) {
+            DeviceView device;
+            device.id = {id};
+            device.family = findFamily(families(), "dmc60c");
+            device.liveness.heard = true;
+            workbench.shot.devices.push_back(device);
+        }
+        selection.select({1});
+        lamp.follow();
     }
     [[nodiscard]] LampState state() { return header.lamp().status().state; }
 };
@@ -104,15 +120,7 @@ void StationLampTest::unitsThatWaitForArmingOrAreAnnouncedSideBySideTurnNothing(
 void StationLampTest::whatIsHeldForOneDeviceArmsNoOther()
 {
     LampBench station;
-    for (const std::uint32_t id : {1U, 2U}) {
-        DeviceView device;
-        device.id = {id};
-        device.family = findFamily(families(), "dmc60c");
-        device.liveness.heard = true;
-        station.workbench.shot.devices.push_back(device);
-    }
-    station.selection.select({1});
-    station.lamp.follow();
+    station.find();
     Lamp &button = station.header.lamp();
     QVERIFY(button.status().armable);
     const QSignalSpy holding(&button, &Lamp::holdingChanged);
@@ -123,6 +131,23 @@ void StationLampTest::whatIsHeldForOneDeviceArmsNoOther()
     station.lamp.follow();
     QCOMPARE(holding.size(), 2);
     QCOMPARE(button.holdProgress(), 0.0);
+}
+
+void StationLampTest::nothingIsArmedWhileTheWindowCloses()
+{
+    LampBench station;
+    station.find();
+    station.workbench.shot.devices.front().motion.running = true;
+    QVERIFY(!station.closing.mayClose());
+    station.workbench.shot.devices.front().motion = {};
+    station.workbench.shot.devices.front().stopsMotion = true;
+    station.workbench.publish();
+    station.lamp.follow();
+    Lamp &button = station.header.lamp();
+    QVERIFY(!button.status().armable);
+    const QSignalSpy holding(&button, &Lamp::holdingChanged);
+    button.hold();
+    QCOMPARE(holding.size(), 0);
 }
 
 MB_WINDOW_TEST(StationLampTest);

@@ -30,7 +30,9 @@ TEST(SupermodifiedZero, StopsThenResetsAndNothingMovesUntilSomebodyStartsIt)
         bench.clock.advance(2s);
         ASSERT_NEAR(positionOf(*device), 3000.0, 20.0);
         bench.sent.clear();
+        const auto origin = device->gate().origin();
         ASSERT_TRUE(run(bench.clock, device->zeroPosition())) << dialect;
+        EXPECT_NE(device->gate().origin(), origin) << "positions count from another place";
         EXPECT_FALSE(node.isOutputOn());
         EXPECT_TRUE(device->isSeenStopped());
         const auto frames = bench.framesSent();
@@ -71,8 +73,10 @@ TEST_F(SupermodifiedZeroNode, NothingIsResetWhileTheStopIsNotAcknowledged)
     order(setPoint(Mode::Velocity, 2000.0), 500ms);
     const double before = position();
     bench.line.setLoss(1.0);
+    const auto origin = device->gate().origin();
     const auto zeroed = run(bench.clock, device->zeroPosition());
     ASSERT_FALSE(zeroed);
+    EXPECT_EQ(device->gate().origin(), origin);
     EXPECT_EQ(zeroed.error().fault, Fault::Unsafe);
     EXPECT_EQ(bench.count(Command::ResetPosition), 0);
     bench.line.setLoss(0.0);

@@ -240,6 +240,15 @@ TEST_F(CommonDevice, NothingMovesThatMayNot)
     }
 }
 
+TEST_F(CommonDevice, PositionsCountFromAnotherPlaceOnceItHasRestarted)
+{
+    const auto origin = make().gate().origin();
+    motor->meetMaster();
+    EXPECT_EQ(motor->gate().origin(), origin);
+    motor->restartUnseen();
+    EXPECT_NE(motor->gate().origin(), origin);
+}
+
 TEST_F(CommonDevice, WhileStopIsPressedNothingIsDrivenOrReleased)
 {
     std::atomic<bool> pressed = true;

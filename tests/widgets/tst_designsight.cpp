@@ -29,6 +29,7 @@ private Q_SLOTS:
     void whatIsNotKnownOfAModelHasNoLine();
     void theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered();
     void ofABoardTheAxisThatWasSelectedLastIsTunedAndNamed();
+    void theNextPageKnowsTheModelAndWhatWasChosen();
     void eachStimulusIsSaidWhileItRuns();
     void theSetsAndTheSlidersAreInSightInTheSmallestWindow();
     void theChosenSetAndTheOrderThatProvesItAreInSightAtLargeText();
@@ -205,6 +206,24 @@ void TestDesignSight::ofABoardTheAxisThatWasSelectedLastIsTunedAndNamed()
     const auto ordered = bench.workbench.given<orders::RunTuning>();
     QCOMPARE(ordered.size(), std::size_t{1});
     QCOMPARE(ordered.front().plan.axis, 3);
+}
+
+void TestDesignSight::theNextPageKnowsTheModelAndWhatWasChosen()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->chooseLoop(Mode::Current);
+    bench.page->identify();
+    bench.finish(identified());
+    bench.page->chooseAim(Aim::Brisk);
+    bench.page = std::make_unique<DesignPage>(bench.workbench, bench.selection, bench.arming, bench.theme, nullptr);
+    bench.page->show();
+    QVERIFY(bench.page->report());
+    QCOMPARE(bench.cards().size(), 3);
+    bench.page->prove();
+    const TunePlan plan = bench.workbench.given<orders::RunTuning>().back().plan;
+    QVERIFY(plan.loop == Mode::Current);
+    QVERIFY(plan.aim == Aim::Brisk);
 }
 
 void TestDesignSight::eachStimulusIsSaidWhileItRuns()

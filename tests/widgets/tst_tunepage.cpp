@@ -7,6 +7,8 @@
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
 #include "widgets/control/resolutionmeter.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/stimulusbar.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QAbstractButton>
@@ -50,6 +52,8 @@ private Q_SLOTS:
     void aBootloaderHasNothingToTune();
     void theDeviceKeepsItsChoices();
     void theDeviceKeepsItsDriveOptionsAndTheFoldedPanelSaysThem();
+    void theNextPageKnowsWhatWasChosen();
+    void whereAPositionWasZeroedItsTargetIsForgotten();
     void physicalGainsMatchTheGoldenValues();
     void theMeterWarnsBelowFifty();
     void theSlewIsTheHandsLimit();
@@ -208,6 +212,49 @@ void TestTunePage::theDeviceKeepsItsDriveOptionsAndTheFoldedPanelSaysThem()
     bench.arm();
     bench.page->run();
     QVERIFY(bench.workbench.given<orders::StartMotion>().at(0).setPoint.reverseSensor);
+}
+
+void TestTunePage::theNextPageKnowsWhatWasChosen()
+{
+    TuneBench bench;
+    bench.workbench.publish();
+    bench.page->form().choose(Mode::Velocity, 3210.0);
+    bench.find<QCheckBox>("Reverse sensor")->setChecked(true);
+    bench.page->form().setRepeats(4);
+    bench.workbench.publish();
+    bench.openNext();
+    QVERIFY(bench.page->isLive());
+    QVERIFY(bench.find<QCheckBox>("Reverse sensor")->isChecked());
+    QCOMPARE(bench.page->column().setPointPanel().target().value_or(0.0), 3210.0);
+    QCOMPARE(bench.page->stimulus().choice().repeat, 4);
+    bench.arm();
+    bench.page->run();
+    QVERIFY(bench.workbench.given<orders::StartMotion>().at(0).setPoint.reverseSensor);
+}
+
+void TestTunePage::whereAPositionWasZeroedItsTargetIsForgotten()
+{
+    TuneBench bench;
+    bench.workbench.shot.devices.push_back(tunableDrive(bench.recording.telemetry(), 2, 7));
+    const auto target = [&bench] { return bench.page->column().setPointPanel().target().value_or(0.0); };
+    for (const std::uint32_t id : {1U, 2U}) {
+        bench.selection.select({id});
+        bench.pass(0.1, 0.0);
+        bench.page->form().choose(Mode::Position, 5000.0);
+        bench.workbench.publish();
+        QCOMPARE(target(), 5000.0);
+    }
+    ++bench.workbench.device(1).origin; // by an experiment, say
+    bench.workbench.publish();
+    QCOMPARE(target(), 0.0);
+    bench.selection.select({1});
+    QCOMPARE(target(), 5000.0);
+    bench.selection.select({2});
+    QCOMPARE(target(), 0.0);
+    ++bench.workbench.device(0).origin; // while it is not shown
+    bench.workbench.publish();
+    bench.selection.select({1});
+    QCOMPARE(target(), 0.0);
 }
 
 /// docs/names.md#integer-gains, "Golden, cpr 4096".

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace mb::test {
 
@@ -112,6 +113,14 @@ struct TuneBench {
         page->showLive(true); // most is about driving by hand
         page->show();
         QApplication::setActiveWindow(page.get());
+    }
+    /// The page of the next window, before this one is gone.
+    void openNext()
+    {
+        const auto before
+            = std::exchange(page, std::make_unique<TunePage>(workbench, selection, arming, theme, nullptr));
+        page->resize(before->size());
+        page->show();
     }
     [[nodiscard]] DeviceView &device() { return workbench.device(0); }
     void arm()

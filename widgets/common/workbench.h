@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <typeindex>
 
 namespace mb {
 
@@ -82,6 +83,14 @@ public:
     [[nodiscard]] virtual const ServiceView &service() const = 0;
     /// Gains that an experiment before has changed in a unit that is here, and that nobody has put back for certain.
     [[nodiscard]] virtual const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const = 0;
+    /// What pages know that goes with no window: the one T of this workbench, made when it is first asked for. Not in the constructor of T.
+    template <class T> [[nodiscard]] T &kept()
+    {
+        std::shared_ptr<void> &one = m_kept[typeid(T)];
+        if (!one)
+            one = std::make_shared<T>();
+        return *static_cast<T *>(one.get());
+    }
     /// The present on the time line of a link: of a recording, where it stands; now() for others.
     [[nodiscard]] Instant presentOf(const std::string &link) const
     {
@@ -104,6 +113,8 @@ Q_SIGNALS:
 
 private:
     virtual void deliver(Order order, Reply::Finished finished) = 0;
+
+    std::map<std::type_index, std::shared_ptr<void>> m_kept;
 };
 
 } // namespace mb

@@ -63,11 +63,17 @@ QString namesThatMayTurn(const Snapshot &shot)
         if (device.mayTurn)
             names += addressIn(shot, device.id);
     }
+    return (names + namesOwed(shot)).join(QStringLiteral(", "));
+}
+
+QStringList namesOwed(const Snapshot &shot)
+{
+    QStringList names;
     for (const OwedStopView &owed : shot.owedStops) {
         const QString name = QString::fromStdString(owed.device).section(QLatin1Char('/'), -1);
         names += owed.elsewhere ? MotionWords::tr("%1 on the adapter before").arg(name) : name;
     }
-    return names.join(QStringLiteral(", "));
+    return names;
 }
 
 QString namesLeftOut(const Snapshot &shot)

@@ -3,7 +3,7 @@
 
 #include "model/snapshot.h"
 
-#include <QString>
+#include <QStringList>
 
 namespace mb {
 
@@ -21,6 +21,8 @@ namespace mb {
 [[nodiscard]] const DeviceView *experimentedWith(const Snapshot &shot);
 /// Devices that were told to stop, were not seen to, and have nothing that stops them: "#3, #5"; empty for none.
 [[nodiscard]] QString namesThatMayTurn(const Snapshot &shot);
+/// Of them, those that are in no list any more.
+[[nodiscard]] QStringList namesOwed(const Snapshot &shot);
 /// Whom STOP leaves out, because it could do harm there: "#3, #5".
 [[nodiscard]] QString namesLeftOut(const Snapshot &shot);
 /// A STOP is under way to something that moves.

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 
@@ -11,6 +12,7 @@ TuneChoices::TuneChoices(Workbench &workbench, const Selection &selection)
     : m_workbench(workbench)
     , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
+    , m_kept(workbench.kept<Kept>())
 {
 }
 
@@ -26,8 +28,8 @@ int TuneChoices::axisOf(const DeviceView &view) const
 
 TuneChoice *TuneChoices::find(const TuneMotor &motor)
 {
-    const auto found = m_choices.find(motor);
-    return found == m_choices.end() ? nullptr : &found->second;
+    const auto found = m_kept.choices.find(motor);
+    return found == m_kept.choices.end() ? nullptr : &found->second;
 }
 
 void TuneChoices::make(const DeviceView &view)
@@ -39,14 +41,12 @@ void TuneChoices::make(const DeviceView &view)
 
 TuneChoice &TuneChoices::of(const DeviceView &view, int axis)
 {
-    TuneChoice &chosen = m_choices[{view.id, axis}];
-    StagedEdits &edits = m_desk.editsOf(view);
-    if (chosen.edits == &edits)
-        return chosen;
-    if (!chosen.edits)
-        chosen.units.revolutions = m_revolutions;
-    chosen.edits = &edits;
-    connect(&edits, &StagedEdits::changed, this, &TuneChoices::countEdit, Qt::UniqueConnection);
+    const auto [place, isNew] = m_kept.choices.try_emplace({view.id, axis});
+    TuneChoice &chosen = place->second;
+    if (isNew)
+        chosen.units.revolutions = m_kept.revolutions;
+    chosen.edits = &m_desk.editsOf(view);
+    connect(chosen.edits, &StagedEdits::changed, this, &TuneChoices::countEdit, Qt::UniqueConnection);
     return chosen;
 }
 
@@ -58,14 +58,27 @@ void TuneChoices::countEdit()
 
 void TuneChoices::setRevolutions(bool on)
 {
-    m_revolutions = on;
-    for (auto &[motor, chosen] : m_choices)
+    if (std::exchange(m_kept.revolutions, on) == on)
+        return;
+    for (auto &[motor, chosen] : m_kept.choices)
         chosen.units.revolutions = on;
+}
+
+bool TuneChoices::forgetPlaces(const DeviceView &view)
+{
+    bool shown = false;
+    for (auto &[motor, chosen] : m_kept.choices) {
+        if (motor.device != view.id || std::exchange(chosen.origin, view.origin) == view.origin)
+            continue;
+        chosen.entered.forgetPositions();
+        shown = shown || motor == m_shown;
+    }
+    return shown;
 }
 
 void TuneChoices::forgetMotion()
 {
-    for (auto &[motor, chosen] : m_choices)
+    for (auto &[motor, chosen] : m_kept.choices)
         chosen.ours = false;
 }
 

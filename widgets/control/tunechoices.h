@@ -28,12 +28,14 @@ struct TuneChoice {
     double profiled = 0.0;        ///< counts per revolution that the device's profile had last
     StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
     StimulusChoice stimulus;
-    std::string unit;        ///< who it is in the notebook
-    SetPointEntries entered; ///< while it is not shown
-    bool ours = false;       ///< the motion was started here
+    std::string unit;         ///< who it is in the notebook
+    SetPointEntries entered;  ///< also of the one that is shown
+    std::uint32_t origin = 0; ///< of its positions (DeviceView::origin)
+    bool ours = false;        ///< the motion was started here
 };
 
-/// The choices of every motor that the Tune page has seen, and which motor it shows. Draws nothing and sends nothing.
+/// The choices of every motor that a Tune page has seen, which the workbench keeps for the next one, and which motor this one shows.
+/// Draws nothing and sends nothing.
 class TuneChoices : public QObject {
     Q_OBJECT
 public:
@@ -59,6 +61,12 @@ public:
 
     /// The units that each motor has until somebody chooses others for it.
     void setRevolutions(bool on);
+    /// The live view instead of the experiments.
+    void setLive(bool on) { m_kept.live = on; }
+    [[nodiscard]] bool isLive() const { return m_kept.live; }
+    /// Whoever let a motor of this device count from another place, or switched it off: what was entered for its positions means
+    /// nothing any more. True where that is the one that is shown.
+    [[nodiscard]] bool forgetPlaces(const DeviceView &view);
     /// Nothing moves that was started here.
     void forgetMotion();
 
@@ -67,13 +75,17 @@ Q_SIGNALS:
     void edited();
 
 private:
+    struct Kept {
+        std::map<TuneMotor, TuneChoice> choices;
+        bool revolutions = false;
+        bool live = false;
+    };
     void countEdit();
 
     Workbench &m_workbench;
     EditDesk &m_desk;
     const Selection &m_selection;
-    bool m_revolutions = false;
-    std::map<TuneMotor, TuneChoice> m_choices;
+    Kept &m_kept;
     TuneMotor m_shown;
     std::uint64_t m_editRevision = 0;
 };

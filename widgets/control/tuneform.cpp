@@ -10,6 +10,8 @@
 #include "widgets/control/tunecolumn.h"
 #include "widgets/control/tuneplot.h"
 
+#include <QSignalBlocker>
+
 #include <utility>
 
 namespace mb {
@@ -34,6 +36,7 @@ void TuneForm::connectPanels()
     });
     connect(&column.setPointPanel(), &SetPointPanel::polarityChanged, this,
         [this] { m_motion.disarmBecause(tr("a direction or a limit")); });
+    connect(&column.setPointPanel(), &SetPointPanel::changed, this, &TuneForm::takeEntries);
     connect(m_parts.stimulus, &StimulusBar::changed, this, &TuneForm::takeStimulus);
     connect(&column.envelope(), &EnvelopePanel::changed, this, &TuneForm::takeStimulus);
     connect(m_parts.plot, &TunePlot::unitsChanged, this, [this](const DisplayUnits &units) {
@@ -48,8 +51,8 @@ void TuneForm::connectPanels()
 void TuneForm::show(const DeviceView &view, int axis)
 {
     SetPointPanel &setPoint = m_parts.column->setPointPanel();
-    if (TuneChoice *const before = m_choices.current())
-        before->entered = setPoint.entered();
+    takeEntries();
+    const QSignalBlocker quiet(setPoint); // what it shows by and by was not entered
     if (m_choices.shown().device != view.id)
         m_parts.column->axesPanel().setAxes(view.family->capabilities.axes);
     m_choices.show({view.id, axis});
@@ -149,7 +152,14 @@ void TuneForm::takeMode(Mode mode)
     if (TuneChoice *const chosen = m_choices.current())
         chosen->mode = mode;
     m_parts.column->setPointPanel().setMode(mode);
+    takeEntries();
     Q_EMIT changed();
+}
+
+void TuneForm::takeEntries()
+{
+    if (TuneChoice *const chosen = m_choices.current())
+        chosen->entered = m_parts.column->setPointPanel().entered();
 }
 
 void TuneForm::takeSlots()

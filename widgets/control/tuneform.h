@@ -32,6 +32,7 @@ private:
     void connectPanels();
     void chooseMode(Mode mode);
     void takeMode(Mode mode);
+    void takeEntries();
     void takeSlots();
     void takeStimulus();
     void showUnits(const TuneChoice &chosen);

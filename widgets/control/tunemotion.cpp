@@ -86,11 +86,11 @@ void TuneMotion::start()
     SetPointPanel &panel = m_column.setPointPanel();
     if (!view || !panel.target() || !m_arming.isArmed(view->id))
         return;
+    panel.keepTarget();
     m_choices.current()->entered = panel.entered();
     const std::vector<int> axes = m_column.motorsToRun();
     for (const int axis : axes)
         startAxis(*view, axis, axes.size() > 1);
-    panel.keepTarget();
 }
 
 /// An unknown position is no 0: the first set-point would be a leap.
@@ -144,12 +144,10 @@ void TuneMotion::zero()
     if (!view || view->id != m_choices.shown().device)
         return;
     m_workbench.send(orders::ZeroPosition{view->id},
-        [self = QPointer<TuneMotion>(this), target = view->id, name = titleOf(*view)](const Result<void> &result) {
+        [self = QPointer<TuneMotion>(this), name = titleOf(*view)](const Result<void> &result) {
             if (!self || !result) // the engine says what went wrong
                 return;
             self->m_workbench.report(Severity::Good, name, tr("position 0 is here; the motor is off until Run"));
-            if (self->m_choices.shown().device == target)
-                self->m_column.setPointPanel().forgetTargets();
         });
 }
 
@@ -189,7 +187,10 @@ bool TuneMotion::isMoving(const DeviceView &view, int axis) const
 
 void TuneMotion::follow(const DeviceView &view)
 {
-    m_column.setPointPanel().showPresent(present(view, m_choices.current()->mode, m_choices.axis()));
+    SetPointPanel &panel = m_column.setPointPanel();
+    if (m_choices.forgetPlaces(view))
+        panel.forgetTargets();
+    panel.showPresent(present(view, m_choices.current()->mode, m_choices.axis()));
     followForeignRun(view);
 }
 

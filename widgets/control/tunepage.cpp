@@ -44,7 +44,7 @@ TunePage::TunePage(
     connectOrders();
     connectChanges();
     makeTuneKeys(*this, {m_parts, m_form.get(), m_motion.get(), m_gains.get(), m_experiments.get(), [this] { run(); }});
-    showLive(false);
+    showLive(m_choices->isLive());
     selectionChanged();
 }
 
@@ -140,6 +140,7 @@ void TunePage::hideEvent(QHideEvent *event)
 
 void TunePage::showLive(bool live)
 {
+    m_choices->setLive(live);
     m_parts.commands->setLive(live);
     m_work->setCurrentWidget(live ? static_cast<QWidget *>(m_parts.plot) : m_parts.trials);
     m_frame->setLive(live);
@@ -149,7 +150,7 @@ void TunePage::showLive(bool live)
 
 bool TunePage::isLive() const
 {
-    return m_parts.commands->isLive();
+    return m_choices->isLive();
 }
 
 void TunePage::selectionChanged()

@@ -7,44 +7,44 @@ namespace mb {
 
 DesignPlace DesignBook::place() const
 {
-    return {m_selection.device(), m_selection.motor(), m_loop};
+    return {m_selection.device(), m_selection.motor(), m_kept.loop};
 }
 
 DesignChoice DesignBook::choice() const
 {
-    const auto found = m_choices.find(place());
-    return found == m_choices.end() ? DesignChoice() : found->second;
+    const auto found = m_kept.choices.find(place());
+    return found == m_kept.choices.end() ? DesignChoice() : found->second;
 }
 
 const tuning::TuneReport *DesignBook::report() const
 {
-    const auto found = m_reports.find(place());
-    return found == m_reports.end() ? nullptr : &found->second;
+    const auto found = m_kept.reports.find(place());
+    return found == m_kept.reports.end() ? nullptr : &found->second;
 }
 
 /// A proof brings none, and neither does what was stopped before it had one.
 void DesignBook::keep(const DesignPlace &place, tuning::TuneReport report)
 {
-    const auto before = m_reports.find(place);
-    if (before != m_reports.end() && !report.motor) {
+    const auto before = m_kept.reports.find(place);
+    if (before != m_kept.reports.end() && !report.motor) {
         report.motor = before->second.motor;
         report.plant = before->second.plant;
         report.scale = before->second.scale;
         report.gates = before->second.gates;
         report.proposals = before->second.proposals; // the three; what was proven may be the sliders' own
     }
-    m_reports[place] = std::move(report);
+    m_kept.reports[place] = std::move(report);
 }
 
 std::vector<tuning::FrequencyPoint> DesignBook::response() const
 {
-    const auto found = m_responses.find({place().device, place().axis});
-    return found == m_responses.end() ? std::vector<tuning::FrequencyPoint>() : found->second.points;
+    const auto found = m_kept.responses.find({place().device, place().axis});
+    return found == m_kept.responses.end() ? std::vector<tuning::FrequencyPoint>() : found->second.points;
 }
 
 void DesignBook::keepResponse(const DesignPlace &place, const tuning::FrequencyResponse &response)
 {
-    m_responses[{place.device, place.axis}] = response;
+    m_kept.responses[{place.device, place.axis}] = response;
 }
 
 QString DesignBook::whyNot(const DeviceView &view) const
@@ -54,7 +54,7 @@ QString DesignBook::whyNot(const DeviceView &view) const
     if (!view.family->trials)
         return tr("This family has no loop that can be tuned.");
     tuning::TunePlan wanted;
-    wanted.loop = m_loop;
+    wanted.loop = m_kept.loop;
     wanted.axis = place().axis;
     const auto possible = tuning::checkTuning(*view.family, wanted);
     return possible ? QString() : errorText(possible.error());
@@ -63,7 +63,7 @@ QString DesignBook::whyNot(const DeviceView &view) const
 tuning::TunePlan DesignBook::plan() const
 {
     tuning::TunePlan plan;
-    plan.loop = m_loop;
+    plan.loop = m_kept.loop;
     plan.axis = place().axis;
     const DesignChoice now = choice();
     plan.aim = now.own ? tuning::Aim::Normal : now.aim;
@@ -77,8 +77,8 @@ tuning::TunePlan DesignBook::plan() const
 
 tuning::ProposalBasis DesignBook::basisOf(const DeviceView &view, const Envelope &inForce) const
 {
-    return {*view.family, view.profile, m_loop, place().axis, choice().slot, report()->plant, inForce, report()->scale,
-        report()->taking};
+    return {*view.family, view.profile, m_kept.loop, place().axis, choice().slot, report()->plant, inForce,
+        report()->scale, report()->taking};
 }
 
 } // namespace mb

@@ -29,14 +29,15 @@ struct DesignChoice {
     int slot = 0;          ///< that the gains belong to, where the family has several
 };
 
-/// What the Design page knows of each motor and loop, what is chosen for it, and which of them it shows. Draws nothing and sends
-/// nothing. GUI thread.
+/// What a Design page knows of each motor and loop, what is chosen for it, and which of them it shows; the workbench keeps it for the next
+/// one. Draws nothing and sends nothing. GUI thread.
 class DesignBook {
     Q_DECLARE_TR_FUNCTIONS(mb::DesignBook)
 public:
-    DesignBook(const Workbench &workbench, const Selection &selection)
+    DesignBook(Workbench &workbench, const Selection &selection)
         : m_workbench(workbench)
         , m_selection(selection)
+        , m_kept(workbench.kept<Kept>())
     {
     }
 
@@ -44,11 +45,11 @@ public:
     [[nodiscard]] const DeviceView *device() const { return m_workbench.snapshot().device(m_selection.device()); }
     /// What is shown: of the motor that is selected, the loop that is chosen.
     [[nodiscard]] DesignPlace place() const;
-    [[nodiscard]] Mode loop() const { return m_loop; }
-    void setLoop(Mode loop) { m_loop = loop; }
+    [[nodiscard]] Mode loop() const { return m_kept.loop; }
+    void setLoop(Mode loop) { m_kept.loop = loop; }
     [[nodiscard]] DesignChoice choice() const;
     /// To be changed.
-    [[nodiscard]] DesignChoice &choose() { return m_choices[place()]; }
+    [[nodiscard]] DesignChoice &choose() { return m_kept.choices[place()]; }
 
     /// nullptr: nothing is known yet.
     [[nodiscard]] const tuning::TuneReport *report() const;
@@ -66,12 +67,15 @@ public:
     [[nodiscard]] tuning::ProposalBasis basisOf(const DeviceView &view, const Envelope &inForce) const;
 
 private:
+    struct Kept {
+        Mode loop = Mode::Velocity;
+        std::map<DesignPlace, tuning::TuneReport> reports;
+        std::map<DesignPlace, DesignChoice> choices;
+        std::map<std::pair<DeviceId, int>, tuning::FrequencyResponse> responses; ///< by device and axis
+    };
     const Workbench &m_workbench;
     const Selection &m_selection;
-    Mode m_loop = Mode::Velocity;
-    std::map<DesignPlace, tuning::TuneReport> m_reports;
-    std::map<DesignPlace, DesignChoice> m_choices;
-    std::map<std::pair<DeviceId, int>, tuning::FrequencyResponse> m_responses; ///< by device and axis
+    Kept &m_kept;
 };
 
 } // namespace mb

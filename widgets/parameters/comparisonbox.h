@@ -37,13 +37,14 @@ Q_SIGNALS:
     void fileRequested();
 
 private:
+    using References = std::map<DeviceId, ParameterReference>;
     void choose(int row);
 
     Workbench &m_workbench;
     Selection &m_selection;
     ParameterModel &m_model;
     QComboBox *m_box = nullptr;
-    std::map<DeviceId, ParameterReference> m_asFound;
+    References &m_asFound{m_workbench.kept<References>()};
     std::optional<ParameterReference> m_file;
     int m_axis = 0; ///< that the values are compared with
 };

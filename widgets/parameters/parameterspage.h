@@ -80,7 +80,7 @@ private:
     EditDesk &m_desk;
     Selection &m_selection;
     const ThemeSource &m_theme;
-    RamLedger m_ledger;
+    RamLedger &m_ledger{m_workbench.kept<RamLedger>()};
     /// What the page showed last of a device; the same again needs no work.
     struct Shown {
         DeviceId device;

@@ -32,14 +32,24 @@ void dressAxis(PlotBoard::Trace &trace, int axis, const std::vector<PlotBoard::T
     trace.style.colour = wished;
 }
 
+std::vector<PlotMark> marksOf(const std::vector<TimedNote> &notes)
+{
+    std::vector<PlotMark> marks;
+    for (const TimedNote &note : notes)
+        marks.push_back({plotKey(note.time), QString::fromStdString(note.text)});
+    return marks;
+}
+
 } // namespace
 
 PlotBoard::PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
     , m_stack(stack)
+    , m_kept(workbench.kept<Kept>())
     , m_book(workbench)
 {
+    stack.strips().setMarks(marksOf(m_kept.notes));
 }
 
 const PlotBoard::Trace *PlotBoard::traceOf(int id) const
@@ -109,7 +119,7 @@ void PlotBoard::setTraces(std::vector<Trace> traces, bool touched)
 
 void PlotBoard::reset()
 {
-    m_references.clear();
+    m_kept.references.clear();
     setTraces({}, false);
 }
 
@@ -170,7 +180,7 @@ void PlotBoard::rebuild()
         simulated = simulated || (link && link->simulated);
         replayed = replayed || (link && link->replay);
     }
-    for (Reference &reference : m_references) {
+    for (Reference &reference : m_kept.references) {
         reference.style.strip = stripOf(reference.pane, reference.style.unit);
         reference.id = m_stack.strips().addTrace(reference.style, reference.trace);
     }
@@ -322,27 +332,24 @@ void PlotBoard::keepReferences()
         reference.style.aligned = true;
         reference.pane = trace.pane;
         reference.trace = std::make_shared<FixedTrace>(std::move(points));
-        m_references.push_back(std::move(reference));
+        m_kept.references.push_back(std::move(reference));
     }
     rebuild();
 }
 
 void PlotBoard::clearReferences()
 {
-    m_references.clear();
+    m_kept.references.clear();
     rebuild();
 }
 
 void PlotBoard::addNote(double key, const QString &text)
 {
-    if (text.trimmed().isEmpty() || m_notes.size() >= mostNotes)
+    if (text.trimmed().isEmpty() || m_kept.notes.size() >= mostNotes)
         return;
     const Instant time = instantOf(key);
-    m_notes.push_back({time, text.trimmed().toStdString()});
-    std::vector<PlotMark> marks;
-    for (const TimedNote &note : m_notes)
-        marks.push_back({plotKey(note.time), QString::fromStdString(note.text)});
-    m_stack.strips().setMarks(std::move(marks));
+    m_kept.notes.push_back({time, text.trimmed().toStdString()});
+    m_stack.strips().setMarks(marksOf(m_kept.notes));
 }
 
 } // namespace mb

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const std::vector<Trace> &traces() const { return m_traces; }
     /// These and those that wait for their device, in order.
     [[nodiscard]] std::vector<const Trace *> wished() const;
-    [[nodiscard]] const std::vector<Reference> &references() const { return m_references; }
+    [[nodiscard]] const std::vector<Reference> &references() const { return m_kept.references; }
     /// What can be plotted.
     [[nodiscard]] SignalBook &book() { return m_book; }
     [[nodiscard]] const SignalBook &book() const { return m_book; }
@@ -70,7 +70,7 @@ public:
     void clearReferences();
 
     void addNote(double key, const QString &text);
-    [[nodiscard]] const std::vector<TimedNote> &notes() const { return m_notes; }
+    [[nodiscard]] const std::vector<TimedNote> &notes() const { return m_kept.notes; }
 
     /// The snapshot is a new one.
     void follow();
@@ -87,6 +87,11 @@ Q_SIGNALS:
     void changed();
 
 private:
+    /// By the workbench, for the next board.
+    struct Kept {
+        std::vector<Reference> references;
+        std::vector<TimedNote> notes;
+    };
     void rebuild();
     bool letGo();
     bool takeIn();
@@ -95,12 +100,11 @@ private:
 
     Workbench &m_workbench;
     PlotStack &m_stack;
+    Kept &m_kept;
     DisplayUnits m_units;
     SignalBook m_book;
     std::vector<Trace> m_traces;
-    std::vector<Trace> m_absent; ///< wished for; their devices are not there
-    std::vector<Reference> m_references;
-    std::vector<TimedNote> m_notes;
+    std::vector<Trace> m_absent;   ///< wished for; their devices are not there
     QStringList m_panes;           ///< key of each strip, while rebuilding and after
     std::vector<TraceLook> m_used; ///< looks of the traces that are there, while rebuilding
     int m_newPanes = 0;

@@ -7,6 +7,7 @@
 #include "families/supermodified/states.h"
 #include "model/family.h"
 
+#include <QScopeGuard>
 #include <QScopedValueRollback>
 
 #include <algorithm>
@@ -336,6 +337,7 @@ Task<void> Controller::zeroPosition()
         co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
     if (!m_motion.isKnownOff()) // README.md#hang
         co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));
+    const auto zeroes = qScopeGuard([this] { gate().originMoved(); }); // also when nobody knows whether it was
     auto resetting = m_settings.talk(asking(m_node, Command::ResetPosition));
     (void)co_await std::move(resetting);
     m_presence.zeroed();
