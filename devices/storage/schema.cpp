@@ -204,8 +204,14 @@ constexpr const char *ninthSchema = R"(
 ALTER TABLE service_visit ADD COLUMN unproved BIGINT NOT NULL DEFAULT 0;
 )";
 
+/// What was undone and redone before anybody was asked to keep that is kept.
+constexpr const char *tenthSchema = R"(
+INSERT INTO change (time, unit, device, person, origin, purpose, of)
+    SELECT time, unit, device, person, origin, 'keep', id FROM change WHERE purpose IN ('undo', 'redo');
+)";
+
 constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema,
-    seventhSchema, eighthSchema, ninthSchema};
+    seventhSchema, eighthSchema, ninthSchema, tenthSchema};
 constexpr std::array journalVersions{fifthSchema, sixthSchema, ninthSchema};
 
 } // namespace
