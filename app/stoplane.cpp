@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -86,8 +87,13 @@ void StopLane::proceed()
 std::vector<guardian::Script> laneScripts(const StopScript &script, Outlet::Form form)
 {
     guardian::Script steps = wireScript(script, form);
-    if (form == Outlet::Form::Stream)
+    if (form == Outlet::Form::Stream) {
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            if (script.steps[i].taken > std::chrono::milliseconds::zero())
+                steps[i].wait = script.steps[i].taken;
+        }
         return {std::move(steps)};
+    }
     std::vector<guardian::Script> each;
     for (guardian::Step &step : steps) {
         step.reply.clear();

@@ -44,8 +44,8 @@ struct StopOrders {
 };
 
 /// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
-/// here, as a guardian sends them, but for answers: each step as often as it may need, with the time for an answer between, in which
-/// a half-duplex line is left to the device. The engine sends them again, properly, once it can, and drives nothing before that
+/// here, as a guardian sends them, but for answers: each step as often as it may need, with the time between that an answer takes of
+/// a half-duplex line (StopStep::taken). The engine sends them again, properly, once it can, and drives nothing before that
 /// (MotionGate::setStopGate). Lives in one thread (StopThread) and knows it not, so that tests drive it in virtual time.
 ///
 /// Left out are simulated links: their bus, their motors and their time live in the engine thread, and stand while it does.

@@ -235,7 +235,7 @@ void Links::openByItself()
 void Links::describe(Snapshot &shot) const
 {
     for (Link *link : m_context.session.links()) {
-        LinkView view = viewOf(*link, m_context.session.clockOf(*link).now());
+        LinkView view = viewOf(*link, m_context.session.clockOf(*link));
         m_scans.describe(*link, view);
         m_recordings.describe(*link, view);
         view.diagnosis = diagnose(symptomsOf(*link, shot.time), shot.time, m_listings);

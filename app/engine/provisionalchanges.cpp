@@ -143,22 +143,24 @@ void ProvisionalChanges::carryOut(const orders::KeepChange &order, const Finishe
 
 void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Finished &finished)
 {
-    const Entry *entry = find(order.device, order.change);
-    if (!entry || !m_log)
+    if (!find(order.device, order.change) || !m_log)
         return finished(fail(Fault::OutOfRange, say("this change waits for nobody")));
     if (auto same = m_context.operations.checkRecognised(order.device); !same)
         return finished(same);
-    m_context.operations.begin(
+    m_context.operations.begin<bool>(
         order.device, say("Put values back"),
-        [log = m_log, wanted = entry->change](
-            Device &device, Progress &progress) { return settings::putBack(device, wanted, *log, progress); },
-        [this, id = order.device, finished](const Result<void> &result) {
-            m_context.log.tell(result ? Severity::Good : Severity::Danger, id,
-                result ? say("the values are put back")
-                       : say("the values are not put back: %1", result.error().message()));
+        [log = m_log, number = order.change](
+            Device &device, Progress &progress) { return settings::putBack(device, number, *log, progress); },
+        [this, id = order.device, finished](const Operations::Job &, const Result<bool> &written) {
+            if (!written)
+                m_context.log.tell(
+                    Severity::Danger, id, say("the values are not put back: %1", written.error().message()));
+            else if (*written)
+                m_context.log.tell(Severity::Good, id, say("the values are put back"));
             look(id, false);
-            finished(result);
-        });
+            finished(written ? Result<void>() : fail(written.error()));
+        },
+        finished);
 }
 
 std::vector<UnconfirmedView> ProvisionalChanges::views() const

@@ -106,16 +106,29 @@ bool Runner::attempt(Time now)
             giveUp();
         return false;
     }
-    ++job.attempts;
     if (!step.reply.empty()) {
+        ++job.attempts;
         m_answerUntil = now + step.wait;
         return true;
     }
-    job.notBefore = now + step.wait;
-    if (job.attempts >= step.attempts)
-        endStep(job, true);
-    retire();
+    wasSaid(Step(step), now);
     return true;
+}
+
+/// By the front job, and by all others that have the same to say now.
+void Runner::wasSaid(const Step &step, Time now)
+{
+    auto next = m_jobs.begin();
+    while (next != m_jobs.end()) {
+        std::rotate(m_jobs.begin(), next, next + 1);
+        Job &job = m_jobs.front();
+        job.notBefore = now + step.wait;
+        if (++job.attempts >= step.attempts)
+            endStep(job, true);
+        retire();
+        next = std::ranges::find_if(
+            m_jobs, [&](const Job &other) { return other.notBefore <= now && other.script[other.step] == step; });
+    }
 }
 
 /// Nothing can be sent here any more.

@@ -152,8 +152,11 @@ void DeviceKnowledge::settingsLost()
 
 void DeviceKnowledge::unitExchanged()
 {
-    settingsLost();
+    m_parameters.forgetAll();
+    m_profile.edit().written.clear();
+    m_profile.edit().lost.clear();
     m_exchanged.notify();
+    m_changed.notify();
 }
 
 void DeviceKnowledge::setCounters(const std::map<std::string, std::int64_t> &values)

@@ -71,8 +71,9 @@ DeviceView viewOf(Session &session, Device &device)
     return view;
 }
 
-LinkView viewOf(const Link &link, Instant now)
+LinkView viewOf(const Link &link, const Clock &clock)
 {
+    const Instant now = clock.now();
     LinkView view;
     view.time = now;
     view.address = link.address().text();
@@ -99,6 +100,8 @@ LinkView viewOf(const Link &link, Instant now)
     }
     if (const auto *replay = dynamic_cast<const ReplayLink *>(&link))
         view.replay = replay->replay();
+    if (view.replay && view.replay->length > Duration::zero()) // of the same instant
+        view.time = Instant(view.replay->start + view.replay->position - clock.unixOffset());
     return view;
 }
 

@@ -136,6 +136,7 @@ struct Snapshot {
 };
 
 [[nodiscard]] DeviceView viewOf(Session &session, Device &device);
-[[nodiscard]] LinkView viewOf(const Link &link, Instant now);
+/// `clock`: its own (Session::clockOf).
+[[nodiscard]] LinkView viewOf(const Link &link, const Clock &clock);
 
 } // namespace mb

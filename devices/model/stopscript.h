@@ -25,6 +25,7 @@ struct StopStep {
     std::chrono::milliseconds wait{50};   ///< for the answer, or between two sends without one; 1 … 500
     int attempts = 1;                     ///< 1 … 100
     std::optional<CanFrame> replyFrame{}; ///< on a CAN link: identifier and length of the answer, whatever is in it
+    std::chrono::milliseconds taken{};    ///< of a half-duplex line by the answer, for who does not hear it; 0: `wait`
 };
 
 /// Stops one device without knowing anything of it. Data, so that a process that outlives this one can carry it out; it may

@@ -78,10 +78,12 @@ void BusRows::follow(Row &row, Device &device)
 }
 
 /// A look asks a place once, and may take longer than it takes to change the unit in it; a device is asked all the time. Of the
-/// silence of a link that is lost nothing follows.
+/// silence of a link that is lost nothing follows, nor of that of a bootloader, which speaks only when it is asked.
 void BusRows::hear(Row &row, const Device &device)
 {
-    if (!device.liveness().heard) {
+    if (device.identity().state == DeviceState::Bootloader) {
+        row.silentAt.reset();
+    } else if (!device.liveness().heard) {
         if (!row.silentAt && m_link.state() == LinkState::Open)
             row.silentAt = now();
     } else if (isGone(row, std::exchange(row.silentAt, {}))) {
@@ -94,13 +96,6 @@ bool BusRows::isHeard(const Row &row) const
 {
     const Device *const device = m_session.find(row.shown->device);
     return device && device->liveness().heard && unitKeyOf(*device) == row.shown->visit.unit;
-}
-
-/// Another one was here, and only its place tells it from this one.
-bool BusRows::isExchanged(const std::string &unit) const
-{
-    return unitByOf(unit) == UnitBy::Place
-        && std::ranges::any_of(m_rows, [&unit](const Row &row) { return row.shown->visit.unit == unit; });
 }
 
 void BusRows::served(Row &row)
@@ -133,8 +128,6 @@ BusRows::Row *BusRows::rowOf(const Device &device, const std::string &unit)
 
 void BusRows::addRow(Device &device, const std::string &unit)
 {
-    if (isExchanged(unit))
-        device.knowledge().unitExchanged();
     Row &row = m_rows.emplace_back();
     row.seen = true;
     follow(row, device);

@@ -19,7 +19,7 @@ public:
         Published<QueueRow> shown;
         bool seen = false;               ///< in the last look
         std::optional<Instant> absentAt; ///< since when no look saw it
-        std::optional<Instant> silentAt; ///< since when it is not heard, however long a look takes
+        std::optional<Instant> silentAt; ///< since when it is not heard, however long a look takes; not of a bootloader
         bool gone = false;               ///< long enough to begin again
         bool missing = false;            ///< cut off in the run that is resumed, and not seen since
         bool moved = false;              ///< seen under the number that it was given: its first place is another's now
@@ -62,7 +62,6 @@ private:
     void hear(Row &row, const Device &device);
     [[nodiscard]] Instant now() const { return m_session.clockOf(m_link).now(); }
     [[nodiscard]] bool isHeard(const Row &row) const;
-    [[nodiscard]] bool isExchanged(const std::string &unit) const;
     [[nodiscard]] bool isGone(const Row &row, const std::optional<Instant> &since) const;
     void recall(const std::vector<Device *> &found);
     [[nodiscard]] bool isMoved(const Visit &visit, const Device &device) const;

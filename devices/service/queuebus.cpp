@@ -309,6 +309,9 @@ Task<void> QueueBus::serveHere(Row &row, Device &device)
     }
     Visit visit = row.shown->visit;
     if (visit.id.empty()) {
+        if (unitByOf(visit.unit)
+            == UnitBy::Place) // what is known may be of another that stood there, in whatever queue
+            device.knowledge().unitExchanged();
         auto opening = openVisit(row, device);
         visit = co_await std::move(opening);
     }

@@ -141,19 +141,24 @@ Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &lo
     co_return {};
 }
 
-Task<void> putBack(Device &device, SettingsChange change, SettingsLog &log, Progress &progress)
+Task<bool> putBack(Device &device, std::int64_t number, SettingsLog &log, Progress &progress)
 {
+    auto asking = findUnconfirmed(device, log);
+    const std::vector<SettingsChange> open = co_await std::move(asking);
+    const auto change = std::ranges::find(open, number, &SettingsChange::number);
+    if (change == open.end())
+        co_return false;
     if (!isSeenStill(device))
         co_return fail(Fault::Unsafe, say("the motor is not seen to stand"), say("stop it, then put the values back"));
     std::vector<ParameterChange> writes;
-    for (const ValueChange &value : toConfirm(device.family(), change.values))
+    for (const ValueChange &value : change->values)
         writes.push_back({*findParameter(device.family().parameters, value.key), *value.before});
-    const Order order{Origin::Window, Purpose::Revert, change.number};
+    const Order order{Origin::Window, Purpose::Revert, number};
     auto writing = writeKept(device, std::move(writes), order, &log, progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
     if (!outcomes.empty() && !outcomes.back().raw)
         co_return fail(outcomes.back().raw.error());
-    co_return {};
+    co_return true;
 }
 
 Confirmation::State Confirmation::look(const Device &device, Instant now)

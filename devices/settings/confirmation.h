@@ -4,6 +4,7 @@
 #include "model/parametertransfer.h"
 #include "settings/settingslog.h"
 
+#include <cstdint>
 #include <span>
 
 namespace mb::settings {
@@ -30,9 +31,9 @@ inline constexpr Duration confirmTime = std::chrono::seconds(30);
 /// Somebody keeps a provisional change.
 [[nodiscard]] Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &log);
 
-/// What has to be confirmed of it goes back, and is read back: a change of its own. Unsafe, with nothing written, while the unit
-/// is not heard, or its motor is not seen to stand.
-[[nodiscard]] Task<void> putBack(Device &device, SettingsChange change, SettingsLog &log, Progress &progress);
+/// What nobody has kept of this change by now goes back, and is read back: a change of its own. False, with nothing written, where
+/// somebody has decided meanwhile; Unsafe, the same, while the unit is not heard, or its motor is not seen to stand.
+[[nodiscard]] Task<bool> putBack(Device &device, std::int64_t number, SettingsLog &log, Progress &progress);
 
 /// The time of one provisional change, from when its values are in force: at once, or, of what acts after a restart, when the
 /// unit has answered with the new value. A value that is asked; the caller brings device and time.

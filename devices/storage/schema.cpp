@@ -205,6 +205,7 @@ ALTER TABLE service_visit ADD COLUMN unproved BIGINT NOT NULL DEFAULT 0;
 )";
 
 /// What each server of a shared journal has; what was delivered before may be so again. Which program has begun a run of a queue.
+/// What was undone and redone before anybody was asked to keep that is kept.
 constexpr const char *tenthSchema = R"(
 DROP TABLE service_delivery;
 CREATE TABLE service_delivery (
@@ -215,6 +216,8 @@ CREATE TABLE service_delivery (
 CREATE TABLE service_run (
     run TEXT PRIMARY KEY,
     program TEXT NOT NULL) WITHOUT ROWID;
+INSERT INTO change (time, unit, device, person, origin, purpose, of)
+    SELECT time, unit, device, person, origin, 'keep', id FROM change WHERE purpose IN ('undo', 'redo');
 )";
 
 constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema,

@@ -5,6 +5,7 @@
 #include "heard.h"
 #include "model/registry.h"
 #include "model/unit.h"
+#include "settings/writing.h"
 #include "storage/settingsbook.h"
 #include "support/coreapplication.h"
 
@@ -280,6 +281,28 @@ TEST_F(SettingsCore, AWiderLimitGoesBackOnceTheDeviceIsFreeWhereAJobHasItWhenThe
     clock.advance(3s);
     EXPECT_EQ(known("current_limit.peak"), old);
     EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+}
+
+/// As a terminal does, or the recipe of a queue that has the link meanwhile.
+TEST_F(SettingsCore, WhatSomebodyElseHasWrittenSinceIsNotWrittenOver)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    for (const settings::Origin origin : {settings::Origin::Console, settings::Origin::Recipe}) {
+        ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+        clock.advance(1s);
+        ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+        NoProgress progress;
+        auto writing = settings::writeKept(
+            *device(7), {change("current_limit.peak", old * 3 / 2)}, {origin}, book.get(), progress);
+        writing.start();
+        ASSERT_TRUE(clock.runUntil([&writing] { return writing.isFinished(); }, 10s));
+        notices.clear();
+        clock.advance(31s);
+        EXPECT_EQ(known("current_limit.peak"), old * 3 / 2);
+        EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+        EXPECT_TRUE(notices.empty()) << notices.front();
+    }
 }
 
 TEST_F(SettingsCore, ATighterLimitIsNobodysQuestion)

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <future>
 
@@ -146,43 +147,71 @@ TEST_F(Lane, ByTheProgramSendsOnlyWhatStopsThatWhichItHasMoved)
     EXPECT_EQ(sent, (std::vector<guardian::Bytes>{{3}}));
 }
 
-/// With its own bytes in the answers that it asks for it would hang the nodes that run, and stop none behind the first.
-TEST(LaneOnOneWire, StopsEveryNodeOfALine)
-{
+/// Nodes of one line, each with its motor turning, whose engine hangs from now on.
+class LaneOnOneWire : public testing::Test {
+protected:
+    static constexpr std::array ids{4, 5, 6, 7};
+    LaneOnOneWire()
+    {
+        std::vector<std::unique_ptr<Device>> devices;
+        for (const int id : ids) {
+            nodes.push_back(&bench.add("supermodified:" + std::to_string(id) + ",dialect=D1"));
+            events.push_back(nodes.back()->events().add([this, id](const SimulatorEvent &event) {
+                if (event.what == "crashed")
+                    crashed += std::to_string(id);
+            }));
+        }
+        for (const int id : ids) {
+            devices.push_back(bench.connect(id));
+            EXPECT_TRUE(devices.back()->command(supermodified::test::setPoint(Mode::Velocity, 1000.0)));
+            bench.clock.advance(500ms);
+        }
+        EXPECT_EQ(running(), 4);
+        for (const auto &device : devices)
+            scripts.push_back(laneScripts(device->stopScript(), Outlet::Form::Stream).front());
+        bench.host.close(); // the engine hangs, and sends nothing any more
+        devices.clear();
+        EXPECT_TRUE(bench.host.open());
+        Outlet way{Outlet::Form::Stream, 0};
+        way.aside = [this](std::span<const std::uint8_t> bytes) {
+            times.push_back(bench.clock.now());
+            return bench.host.send(bytes).has_value();
+        };
+        lane.setOrders({{std::make_shared<StopOutlet>(bench.host, way), scripts}});
+    }
+    [[nodiscard]] int running() const
+    {
+        return static_cast<int>(std::ranges::count_if(nodes, [](const Simulator *node) { return node->isOutputOn(); }));
+    }
     supermodified::test::Bench bench;
     std::vector<Simulator *> nodes;
     std::vector<Subscription> events;
     std::vector<guardian::Script> scripts;
+    std::vector<Instant> times; ///< of each message
     std::string crashed;
-    for (const int id : {4, 5}) {
-        nodes.push_back(&bench.add("supermodified:" + std::to_string(id) + ",dialect=D1"));
-        events.push_back(nodes.back()->events().add([&crashed, id](const SimulatorEvent &event) {
-            if (event.what == "crashed")
-                crashed += std::to_string(id);
-        }));
-    }
-    {
-        const std::array devices{bench.connect(4), bench.connect(5)};
-        for (const auto &device : devices) {
-            ASSERT_TRUE(device->command(supermodified::test::setPoint(Mode::Velocity, 1000.0)));
-            bench.clock.advance(500ms);
-        }
-        ASSERT_TRUE(nodes[0]->isOutputOn() && nodes[1]->isOutputOn());
-        for (const auto &device : devices)
-            scripts.push_back(laneScripts(device->stopScript(), Outlet::Form::Stream).front());
-        bench.host.close(); // the engine hangs, and sends nothing any more
-    }
-    ASSERT_TRUE(bench.host.open());
-    Outlet way{Outlet::Form::Stream, 0};
-    way.aside = [&bench](std::span<const std::uint8_t> bytes) { return bench.host.send(bytes).has_value(); };
-    StopLane lane(bench.clock);
-    lane.setOrders({{std::make_shared<StopOutlet>(bench.host, way), scripts}});
+    StopLane lane{bench.clock};
+};
+
+TEST_F(LaneOnOneWire, StopsAllNodesWithinTwentyMilliseconds)
+{
     lane.press();
     bench.clock.advance(20ms);
-    EXPECT_FALSE(nodes[0]->isOutputOn());
+    EXPECT_EQ(running(), 0);
+}
+
+/// With its own bytes in the answers that it asks for it would hang the nodes that run, and stop none behind the first.
+TEST_F(LaneOnOneWire, StopsThoseThatRefuseOnceAndSendsNothingIntoAnAnswer)
+{
+    for (Simulator *node : nodes)
+        node->disturb("error", 0x43);
+    lane.press();
     bench.clock.advance(100ms);
-    EXPECT_FALSE(nodes[1]->isOutputOn());
+    EXPECT_EQ(running(), 0);
     EXPECT_EQ(crashed, "");
+    ASSERT_GT(times.size(), 10U);
+    const Duration exchange = bench.host.byteTime() * 14; // of a stop and its answer
+    for (std::size_t i = 3; i < times.size(); ++i)        // after zeros and the stop of all
+        EXPECT_GE(times[i] - times[i - 1], exchange + 3ms) << i;
 }
 
 TEST_F(Lane, LeavesOutLinksWhoseMotorsStandWithTheEngine)

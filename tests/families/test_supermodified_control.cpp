@@ -459,7 +459,7 @@ TEST_F(SupermodifiedNode, ItsStopScriptStopsARunningNode)
     const StopScript script = device->stopScript();
     ASSERT_EQ(script.steps.size(), 4U);
     EXPECT_TRUE(script.steps.front().bytes.empty()) << "an answer may be under way";
-    const StopStep &step = script.steps[2];
+    const StopStep &step = script.steps.back();
     EXPECT_EQ(step.reply, test::bytesOf("55 AA 77 04 1B 00 1B"));
     int attempts = 0;
     for (bool proved = false; !proved && attempts < step.attempts; ++attempts) {

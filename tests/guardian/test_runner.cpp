@@ -182,6 +182,16 @@ TEST_F(Running, PausesOfOneAreTurnsOfAnother)
     EXPECT_EQ(port.sent[3].at, Time(100ms));
 }
 
+TEST_F(Running, WhatSeveralHaveToSayAtOnceIsSaidOnce)
+{
+    port.answer = [](const std::string &text) { return text == "s" || text == "t" ? "OK" : ""; };
+    for (const std::string own : {"s", "t"})
+        runner.add(1, {plain("a", 5ms, 2), plain("b", 5ms, 1), asking(own, "OK", 50ms, 4)}, port.now);
+    run(1s);
+    EXPECT_EQ(port.texts(), "aabst");
+    EXPECT_EQ(outcomes, (std::vector<std::pair<std::uint32_t, bool>>{{1, true}, {1, true}}));
+}
+
 TEST_F(Running, AFullLineIsTriedAgainAndCostsNoAttempt)
 {
     port.state = Port::Sent::Later;

@@ -92,6 +92,27 @@ TEST_F(UnitsByPlace, WhatIsKnownOfOneIsNotTakenForTheNext)
     EXPECT_NE(next.evidence.english().find("has 0 values"), std::string::npos) << next.evidence.english();
 }
 
+/// One command a board, and what is known of the place is kept from one to the next.
+TEST_F(UnitsByPlace, NeitherIsItInAQueueOfItsOwnAndNobodyOwesItWhatTheOneBeforeHad)
+{
+    UnitRack rack({"abstractdc:3", "abstractdc:3"});
+    rack.putOn(0);
+    const RecipeMatter matter = load(rack, driveRecipe, driveGains);
+    QueueRun first(rack, *books, matter);
+    ASSERT_TRUE(first.run());
+    DeviceKnowledge &known = rack.session->devices().front()->knowledge();
+    known.setCounter("saves.velocity", 50);
+    known.assume(*findParameter(rack.family->parameters, "position.p"), 9);
+    exchangeFor(rack, 1);
+    QueueRun second(rack, *books, matter);
+    ASSERT_TRUE(second.run());
+    const Visit next = books->visits().back();
+    EXPECT_EQ(next.outcome, Outcome::Passed) << next.cause.english();
+    EXPECT_NE(next.evidence.english().find("has 0 values"), std::string::npos) << next.evidence.english();
+    EXPECT_TRUE(known.profile().lost.empty());
+    EXPECT_FALSE(known.profile().written.contains("position.p"));
+}
+
 const QByteArray nodeRecipe = R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":10}})";
 
 TEST_F(UnitsByPlace, EachUnitOfAPlaceGetsANumberOfItsOwn)
@@ -143,6 +164,32 @@ TEST_F(UnitsByPlace, AUnitThatWasSilentForAMomentIsNotServedAgain)
     }
     rack.clock.advance(1min);
     EXPECT_EQ(run.queue.counts().ended(), 1);
+}
+
+/// There it tells nothing by itself, so that only looks tell whether it is there.
+TEST_F(UnitsByPlace, AUnitThatWaitsInItsBootloaderIsNotServedAgainUntilItWasGone)
+{
+    const QByteArray image = QByteArray::fromStdString(inSourceTree("resources/firmware/dmc60c-demo.hex"));
+    const QByteArray writing = R"({"recipe":1,"name":"x","family":"dmc60c","firmware":{"file":")" + image + "\"}}";
+    for (const QByteArray &recipe : {QByteArray(R"({"recipe":1,"name":"x","family":"dmc60c"})"), writing}) {
+        UnitRack rack({"dmc60c:9,state=bootloader"});
+        const auto fails = rack.unit(0).events().add([&rack](const SimulatorEvent &event) {
+            if (event.what == "page-failed")
+                rack.unit(0).disturb("flash-fail", 1);
+        });
+        rack.unit(0).disturb("flash-fail", 1);
+        const RecipeMatter matter = load(rack, recipe);
+        QueueRun run(rack, *books, matter, units(0));
+        run.queue.start();
+        ASSERT_TRUE(waitFor(rack, run, 1));
+        rack.clock.advance(1min);
+        EXPECT_EQ(run.queue.counts().ended(), 1) << recipe.constData();
+        EXPECT_EQ(run.queue.counts().passed, 0);
+        rack.putOn(std::nullopt);
+        rack.clock.advance(4s);
+        rack.putOn(0);
+        EXPECT_TRUE(waitFor(rack, run, 2)) << recipe.constData();
+    }
 }
 
 TEST_F(UnitsByPlace, AUnitWhoseLinkWasLostIsNotServedAgain)

@@ -94,7 +94,7 @@ TEST_F(Confirmations, AValueThatNobodyKeepsGoesBackAfterThirtySeconds)
     EXPECT_EQ(pass(confirmation, five, 29'900ms), 0);
     EXPECT_EQ(pass(confirmation, five, 300ms), 1);
     EXPECT_EQ(confirmation.left(bench.clock.now()), 0s);
-    ASSERT_TRUE(run(settings::putBack(five, change, *book, progress)));
+    ASSERT_TRUE(run(settings::putBack(five, change.number, *book, progress)));
     EXPECT_EQ(reads(five, "current_limit.peak"), old);
     EXPECT_EQ(reads(five, "slot0.p"), 65536) << "it makes no motor livelier than before by itself: it stays";
     EXPECT_EQ(all(five).back().purpose, Purpose::Revert);
@@ -126,7 +126,7 @@ TEST_F(Confirmations, WhatAProgramThatIsGoneHasLeftIsFound)
     ASSERT_TRUE(left);
     ASSERT_EQ(left->size(), 1U);
     EXPECT_EQ(left->front().number, first.number);
-    ASSERT_TRUE(run(settings::putBack(five, left->front(), *book, progress)));
+    ASSERT_TRUE(run(settings::putBack(five, left->front().number, *book, progress)));
     EXPECT_EQ(reads(five, "current_limit.peak"), old);
 }
 
@@ -171,7 +171,7 @@ TEST_F(Confirmations, WhatIsWrittenOverAnOpenValueGoesBackToWhatWasKeptLast)
             continue;
         const std::vector<settings::ValueChange> open{{"current_limit.peak", old, second, Proof::Equal}};
         EXPECT_EQ(left.front().values, open);
-        ASSERT_TRUE(run(settings::putBack(five, left.front(), *book, progress)));
+        ASSERT_TRUE(run(settings::putBack(five, left.front().number, *book, progress)));
         EXPECT_EQ(reads(five, "current_limit.peak"), old);
         EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
     }
@@ -181,10 +181,12 @@ TEST_F(Confirmations, WhatTheConsoleSetsIsDecided)
 {
     Device &five = *bench.device(5);
     const auto old = reads(five, "current_limit.peak");
-    provisional(five, {change(five, "current_limit.peak", *old * 2)});
+    const SettingsChange first = provisional(five, {change(five, "current_limit.peak", *old * 2)});
     ASSERT_TRUE(run(settings::writeKept(
         five, {change(five, "current_limit.peak", *old * 3)}, {Origin::Console}, book.get(), progress)));
     EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+    EXPECT_FALSE(run(settings::putBack(five, first.number, *book, progress)).value_or(true));
+    EXPECT_EQ(reads(five, "current_limit.peak"), *old * 3);
 }
 
 TEST_F(Confirmations, AnUndoThatWidensALimitIsAsked)
@@ -195,7 +197,7 @@ TEST_F(Confirmations, AnUndoThatWidensALimitIsAsked)
     ASSERT_TRUE(run(settings::undo(five, Origin::Window, *book, progress)));
     const auto left = *run(settings::findUnconfirmed(five, *book));
     ASSERT_EQ(left.size(), 1U);
-    ASSERT_TRUE(run(settings::putBack(five, left.front(), *book, progress)));
+    ASSERT_TRUE(run(settings::putBack(five, left.front().number, *book, progress)));
     EXPECT_EQ(reads(five, "current_limit.peak"), *old / 2);
     EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
 }
@@ -214,7 +216,7 @@ TEST_F(Confirmations, NothingIsWrittenWhileTheMotorTurns)
     EXPECT_EQ(pass(confirmation, five, 40s), 0);
     ASSERT_TRUE(five.liveness().moving);
     EXPECT_EQ(confirmation.state(), State::AwaitsStandstill);
-    EXPECT_FALSE(run(settings::putBack(five, change, *book, progress)));
+    EXPECT_FALSE(run(settings::putBack(five, change.number, *book, progress)));
     EXPECT_EQ(all(five).size(), 1U) << "nothing was begun";
     stream.stop();
     EXPECT_EQ(pass(confirmation, five, 20s), 1);
@@ -229,7 +231,7 @@ TEST_F(Confirmations, NothingIsPutBackIntoAUnitThatIsNotHeard)
     bench.simulator("dmc60c:5")->setPowered(false);
     EXPECT_EQ(pass(confirmation, five, 40s), 0);
     EXPECT_EQ(confirmation.state(), State::AwaitsStandstill);
-    EXPECT_EQ(run(settings::putBack(five, change, *book, progress)).error().fault, Fault::Unsafe);
+    EXPECT_EQ(run(settings::putBack(five, change.number, *book, progress)).error().fault, Fault::Unsafe);
     EXPECT_EQ(all(five).size(), 1U) << "nothing was begun";
     bench.simulator("dmc60c:5")->setPowered(true);
     EXPECT_EQ(pass(confirmation, five, 5s), 1);
@@ -290,7 +292,7 @@ TEST_F(SerialConfirmations, WhatActsAfterARestartGoesBackThirtySecondsAfterIt)
     EXPECT_EQ(confirmation.look(four, bench.clock.now()), State::Counting);
     EXPECT_EQ(pass(confirmation, four, 29'900ms), 0);
     EXPECT_EQ(pass(confirmation, four, 300ms), 1);
-    ASSERT_TRUE(run(settings::putBack(four, change, *book, progress)));
+    ASSERT_TRUE(run(settings::putBack(four, change.number, *book, progress)));
     restart();
     EXPECT_EQ(reads(four, "node.mask"), old);
 }

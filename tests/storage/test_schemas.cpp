@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that every released schema has left behind is opened, and nothing in it is lost.
 #include "async/virtualclock.h"
+#include "model/family.h"
+#include "model/registry.h"
+#include "settings/confirmation.h"
 #include "storage/servicebook.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
@@ -9,6 +12,8 @@
 #include "support/sourcetree.h"
 
 #include <QFile>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTemporaryDir>
 
 namespace mb {
@@ -53,6 +58,35 @@ TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
     EXPECT_FALSE(visits->back().unproved);
     EXPECT_EQ(*countUndelivered(**opened, "postgresql://bench-db/journal"), static_cast<int>(visits->size()))
         << "what any server has got is offered once more";
+}
+
+/// Nobody could keep it then: it is no question now, and nothing that was undone weeks ago is written.
+TEST(SchemaEight, WhatWasUndoneThenIsKept)
+{
+    test::needCoreApplication();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("motorbench.db"));
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(inSourceTree("tests/storage/schemas/version-8.db")), path));
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
+    {
+        QSqlDatabase old = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), QStringLiteral("old"));
+        old.setDatabaseName(path);
+        ASSERT_TRUE(old.open());
+        QSqlQuery writing(old);
+        EXPECT_TRUE(writing.exec(QStringLiteral("INSERT INTO change (time, unit, device, person, origin, purpose) "
+                                                "VALUES (5, 'place x', 'x', 'anna', 'window', 'undo')")));
+        EXPECT_TRUE(writing.exec(QStringLiteral("INSERT INTO changed_value SELECT max(id), 0, 'uart.baud', 3, 5, "
+                                                "'equal' FROM change")));
+    }
+    QSqlDatabase::removeDatabase(QStringLiteral("old"));
+    const auto opened = Database::open(path.toStdString());
+    ASSERT_TRUE(opened) << opened.error().text();
+    VirtualClock clock;
+    auto changes = *SettingsBook(**opened, clock, "anna").changes("place x");
+    const Family &nodes = *findFamily(families(), "supermodified");
+    EXPECT_TRUE(settings::unconfirmed(nodes, changes).empty());
+    changes.pop_back();
+    EXPECT_EQ(settings::unconfirmed(nodes, changes).size(), 1U) << "it would be asked for now";
 }
 
 INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4, 5, 6, 7, 8, 9));

@@ -41,6 +41,7 @@ private Q_SLOTS:
     void findMarksAndGoesThere();
     void selectedFramesAreCopiedAsCandumpText();
     void whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime();
+    void framesOfARecordingAreCopiedWithItsTimesHoweverLongTheComputerSlept();
     void exportReportsWhatItDid();
     void stateShowsLoadAndLoss();
     void aLineOfBytesIsNotCountedInFrames();
@@ -178,6 +179,28 @@ void BusPageTest::whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime()
     bench.workbench.slept.look(bench.workbench.time, 3600s);
     QCOMPARE(bench.page->selectedText(), copied);
     QCOMPARE(cell.data().toString(), noted);
+}
+
+void BusPageTest::framesOfARecordingAreCopiedWithItsTimesHoweverLongTheComputerSlept()
+{
+    BusBench bench;
+    bench.workbench.slept.look(bench.workbench.time, {});
+    bench.workbench.slept.look(bench.workbench.time + 1ms, 8h);
+    bench.workbench.time += 2ms;
+    bench.traffic.add(generalOf5);
+    LinkView &link = bench.workbench.shot.links.front();
+    link.simulated = false;
+    link.replay.emplace();
+    link.replay->start = 1'718'000'000s;
+    link.replay->position = 5s;
+    link.time = bench.traffic.now;
+    bench.publish();
+    bench.named<TrafficView>("Frames")->selectAll();
+    const QString recorded = QStringLiteral("(1718000005.000000) sim:can 02061405#A125110008070000\n");
+    QCOMPARE(bench.page->selectedText(), recorded);
+    bench.workbench.shot.links.clear();
+    bench.publish();
+    QCOMPARE(bench.page->selectedText(), recorded); // what it has left
 }
 
 void BusPageTest::exportReportsWhatItDid()

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void aChangeStandsWhileALayoutWaitsForADevice();
     void tracesOfALinkThatIsClosedComeBackWithIt();
     void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
+    void aRecordingHasItsOwnTimesHoweverLongTheComputerSlept();
     void whatIsPlayedIsNotRecordedAgain();
     void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
     void recordingsOfOneSecondHaveNamesOfTheirOwn();
@@ -434,6 +435,35 @@ void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
     bench.workbench.publish();
     QCOMPARE(bench.page->traceCount(), std::size_t{6});
     QVERIFY(bench.page->layoutBook().current() == layout);
+}
+
+void TestPlotKeeping::aRecordingHasItsOwnTimesHoweverLongTheComputerSlept()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    LinkView played;
+    played.address = "replay:/logs/run.log";
+    played.replay.emplace();
+    played.replay->start = 1'718'000'000s;
+    played.time = bench.workbench.time;
+    bench.workbench.shot.links = {played};
+    for (DeviceView &device : bench.workbench.shot.devices)
+        device.link = played.address;
+    bench.workbench.slept.look(bench.workbench.time - 2s, {});
+    bench.workbench.slept.look(bench.workbench.time - 1s, 8h);
+    bench.pass(1.0, 60000.0);
+    const double begin = plotKey(played.time);
+    bench.stack().view().setRange(begin, begin + 1.0);
+    QVERIFY(bench.stack().exporter().exportTo(folder.filePath(s("a.csv"))));
+    QFile table(folder.filePath(s("a.csv")));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArray head = table.readLine().trimmed();
+    QVERIFY2(head.endsWith("(Unix 1718000000.000000)"), head.constData());
+    bench.page->exportBar().exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("b.mcap"))});
+    QTRY_VERIFY(QFile::exists(folder.filePath(s("b.mcap"))));
+    const auto loaded = loadRecording(folder.filePath(s("b.mcap")).toStdString());
+    QVERIFY(loaded);
+    QVERIFY((*loaded)->first >= Instant(1'718'000'000s) && (*loaded)->last <= Instant(1'718'000'001s));
 }
 
 void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()

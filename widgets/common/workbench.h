@@ -66,9 +66,12 @@ public:
     [[nodiscard]] virtual Duration unixOffset() const = 0;
     /// When the computer slept since the program began.
     [[nodiscard]] virtual SleepLog sleeps() { return {}; }
-    /// Both, for time stamps of earlier too.
-    [[nodiscard]] WallClock wallClock()
+    /// Both, for time stamps of earlier too: those of this link, since a recording has times of its own, or of no link.
+    [[nodiscard]] WallClock wallClock(const std::string &link = {})
     {
+        const LinkView *view = snapshot().link(link);
+        if (view && view->replay)
+            return {view->replay->start + view->replay->position - view->time.time_since_epoch(), {}};
         const SleepLog log = sleeps();
         return {unixOffset() - log.sleptAt(now()), log};
     }

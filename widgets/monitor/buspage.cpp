@@ -167,7 +167,7 @@ void BusPage::followLinks()
     m_replay->setLink(m_address);
     if (!shown) // what a link that is closed left stays
         return m_bar->setState(m_address.empty() ? QString() : tr("%1 is not open").arg(shownName(m_address)));
-    m_source = {shown->name, shown->simulated};
+    m_source = {shown->name, shown->simulated, m_workbench.wallClock(shown->address)};
     const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);
     m_model->setDecoder(decoder);
     m_ids->setDecoder(decoder);
@@ -274,7 +274,7 @@ void BusPage::showSelected()
 
 WallClock BusPage::exportClock() const
 {
-    return m_source.simulated ? WallClock{-m_model->origin().time_since_epoch(), {}} : m_workbench.wallClock();
+    return m_source.simulated ? WallClock{-m_model->origin().time_since_epoch(), {}} : m_source.clock;
 }
 
 QString BusPage::selectedText() const

@@ -81,6 +81,7 @@ private:
     struct {
         std::string name;
         bool simulated = false;
+        WallClock clock;
     } m_source;                        ///< of what the lists show
     QStackedWidget *m_lists = nullptr; ///< or that there is no link
     QSplitter *m_outer = nullptr;

@@ -40,7 +40,7 @@ ExportPlan ExportBar::planFor(const ExportChoice &choice) const
 {
     ExportPlan plan;
     plan.channels = exportChannels(m_workbench.snapshot(), m_board, choice.everything);
-    plan.clock = m_workbench.wallClock();
+    plan.clock = m_workbench.wallClock(m_board.link());
     plan.about = aboutDevices(m_workbench.snapshot());
     plan.notes = m_board.notes();
     if (choice.stretch) {

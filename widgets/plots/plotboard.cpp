@@ -241,7 +241,7 @@ bool PlotBoard::takeIn()
 
 void PlotBoard::follow()
 {
-    m_stack.strips().setClock(m_workbench.wallClock());
+    m_stack.strips().setClock(m_workbench.wallClock(link()));
     bool other = m_book.complete();
     other = letGo() || other;
     other = takeIn() || other;

@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 constexpr std::size_t stopExchange = 2 * frameOverhead; ///< bytes
 constexpr std::size_t longestExchange = 2 * frameOverhead + sizeof(std::int64_t);
 constexpr std::chrono::milliseconds turnaround{2};
+constexpr std::chrono::milliseconds slowTurnaround{5}; ///< of a node whose loop runs
 constexpr std::chrono::milliseconds longestPause{100};
 constexpr std::size_t fillerSize = mostDataD1D2 + 2; ///< of a frame whose count or rest is missing
 constexpr int stopAttempts = 20;
@@ -139,7 +140,8 @@ bool Controller::isSeenStopped() const
 }
 
 /// What was asked last is answered first, because bytes that collide can lock D1 and D2 up; then zeros end the half of a frame
-/// that a dying program left there: else the node would take the stop for the rest of it.
+/// that a dying program left there: else the node would take the stop for the rest of it. All are told at once, which nobody answers,
+/// before this one is until it acknowledges.
 StopScript Controller::stopScript() const
 {
     const auto onWire = [this](std::size_t bytes) {
@@ -154,15 +156,16 @@ StopScript Controller::stopScript() const
     StopStep filler;
     filler.bytes.assign(fillerSize, 0);
     filler.wait = legal(onWire(fillerSize));
+    StopStep everybody;
+    everybody.bytes = uartBytes(request(broadcastId, host, Command::GlobalStop));
+    everybody.wait = legal(onWire(frameOverhead));
     StopStep step;
     step.bytes = uartBytes(request(m_node.id, host, Command::Stop));
     step.reply = uartBytes(request(host, m_node.id, Command::Stop));
     step.wait = legal(onWire(stopExchange) + answerTime);
+    step.taken = legal(onWire(stopExchange) + slowTurnaround);
     step.attempts = stopAttempts;
-    StopStep everybody;
-    everybody.bytes = uartBytes(request(broadcastId, host, Command::GlobalStop));
-    everybody.wait = 1ms;
-    return StopScript{{std::move(pause), std::move(filler), std::move(step), std::move(everybody)}};
+    return StopScript{{std::move(pause), std::move(filler), std::move(everybody), std::move(step)}};
 }
 
 // What the node says
