@@ -12,10 +12,11 @@
 namespace mb {
 
 /// A lazy coroutine that owns its frame. `co_await std::move(task)` yields the value, or ends the caller with the same
-/// error; `co_await std::move(task).attempt()` yields the Result. Destroying a Task cancels it, wherever it is suspended.
+/// error; `co_await std::move(task).attempt()` yields the Result. `co_await` takes a Result likewise, without ever waiting.
+/// Destroying a Task cancels it, wherever it is suspended.
 ///
 /// A coroutine ends with `co_return value;`, `co_return fail(Fault::…);`, or, for Task<void>, `co_return {};`.
-/// Rules that keep this safe (name the operand first, no capturing lambdas): docs/architecture.md#asynchrony.
+/// Rules that keep this safe (what may stand in an operand, no capturing lambdas): docs/architecture.md#asynchrony.
 template <class T> class Task;
 
 namespace detail {
@@ -110,7 +111,30 @@ template <class T, bool Propagates> struct TaskAwaiter {
     }
 };
 
+template <class T> struct ResultAwaiter {
+    Result<T> result;
+
+    [[nodiscard]] bool await_ready() const noexcept { return result.has_value(); }
+    template <class P> void await_suspend(std::coroutine_handle<P> caller) noexcept
+    {
+        const Error error = result.error(); // whoever hears of it may destroy the caller, and this with it
+        caller.promise().failWith(error);
+    }
+    T await_resume()
+    {
+        if constexpr (!std::is_void_v<T>)
+            return std::move(*result);
+    }
+};
+
 } // namespace detail
+
+/// In a Task: yields the value, or ends the caller with the same error, as a failed Task does. What the caller holds is then
+/// destroyed with its frame, before whoever awaits it carries on.
+template <class T> detail::ResultAwaiter<T> operator co_await(Result<T> &&result)
+{
+    return {std::move(result)};
+}
 
 template <class T> class [[nodiscard]] Task {
 public:
