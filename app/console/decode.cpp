@@ -123,11 +123,9 @@ Task<void> readAll(Console &console, QFile &file, LogReader reader, bool prints)
             = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints);
             !taken)
             co_return fail(taken.error());
-        auto room = console.out().room();
-        co_await std::move(room);
+        co_await console.out().room();
     }
-    if (auto finished = reader.finish(prints); !finished)
-        co_return fail(finished.error());
+    co_await reader.finish(prints);
     co_return {};
 }
 
@@ -136,8 +134,7 @@ Task<int> decodeFile(Console &console, QFile &file, std::string dialect)
 {
     const std::string name = file.fileName().toStdString();
     for (const bool prints : {false, true}) {
-        auto reading = readAll(console, file, LogReader(console, name, dialect), prints);
-        co_await std::move(reading);
+        co_await readAll(console, file, LogReader(console, name, dialect), prints);
     }
     co_return exitDone;
 }
@@ -214,21 +211,16 @@ Result<void> openForReading(QFile &file)
 
 Task<int> decode(Console &console, DecodeArguments arguments)
 {
-    if (auto known = checkDialect(console, arguments.dialect); !known)
-        co_return fail(known.error());
+    co_await checkDialect(console, arguments.dialect);
     if (arguments.file.empty() || arguments.file == "-") {
-        auto input = decodeStream(console, "standard input", STDIN_FILENO, arguments.dialect);
-        co_return co_await std::move(input);
+        co_return co_await decodeStream(console, "standard input", STDIN_FILENO, arguments.dialect);
     }
     QFile file(qt(arguments.file));
-    if (auto open = openForReading(file); !open)
-        co_return fail(open.error());
+    co_await openForReading(file);
     if (file.isSequential()) {
-        auto input = decodeStream(console, arguments.file, file.handle(), arguments.dialect);
-        co_return co_await std::move(input);
+        co_return co_await decodeStream(console, arguments.file, file.handle(), arguments.dialect);
     }
-    auto decoding = decodeFile(console, file, arguments.dialect);
-    co_return co_await std::move(decoding);
+    co_return co_await decodeFile(console, file, arguments.dialect);
 }
 
 } // namespace

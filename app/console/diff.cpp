@@ -32,13 +32,10 @@ struct Part {
 
 Task<void> readDevice(Console &console, Part &part)
 {
-    auto connecting = connect(console, *part.named.target);
-    Device *const device = co_await std::move(connecting);
+    Device *const device = co_await connect(console, *part.named.target);
     console.onlyAsk();
-    if (auto ready = needsApplication(*device); !ready)
-        co_return fail(ready.error());
-    auto reading = readKept(console, *device, readable(*device));
-    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    co_await needsApplication(*device);
+    const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, readable(*device));
     if (const auto error = firstError(*device, outcomes))
         co_return fail(*error);
     part.family = &device->family();
@@ -139,8 +136,7 @@ Task<void> gather(Console &console, std::array<Part, 2> &parts, Notebook &notebo
         co_return alike;
     for (Part &part : parts) {
         if (part.named.kind == Kind::Device) {
-            auto reading = readDevice(console, part);
-            co_await std::move(reading);
+            co_await readDevice(console, part);
         }
     }
     for (Part &part : parts) {
@@ -166,14 +162,11 @@ Task<int> diff(Console &console, std::string a, std::string b)
         co_return fail(
             Fault::Usage, say("the defaults of no family cannot be compared"), say("name a device, file or snapshot"));
     Notebook notebook(console);
-    auto gathering = gather(console, parts, notebook);
-    co_await std::move(gathering);
-    if (auto alike = areAlike(parts); !alike)
-        co_return fail(alike.error());
+    co_await gather(console, parts, notebook);
+    co_await areAlike(parts);
     const Family *const family = parts[0].family ? parts[0].family : parts[1].family;
     for (Part &part : parts) {
-        if (auto settled = settle(part, *family); !settled)
-            co_return fail(settled.error());
+        co_await settle(part, *family);
     }
     const std::vector<SideDifference> differences = settings::compare(*parts[0].side, *parts[1].side);
     show(console, *family, differences);

@@ -61,8 +61,7 @@ Task<bool> confirmStop(Console &console, Device &device)
             device.stop();
             again = limit;
         }
-        Sleep nap(console.clock(), lookEvery);
-        co_await nap;
+        co_await Sleep(console.clock(), lookEvery);
     }
     co_return true;
 }
@@ -77,8 +76,7 @@ Task<void> keepAlive(Console &console, SetPointStream &stream, Duration time, st
         const Duration left = end - console.clock().now();
         if (left <= Duration::zero())
             break;
-        Sleep nap(console.clock(), std::min<Duration>(left, LeaseRenewal::period));
-        co_await nap;
+        co_await Sleep(console.clock(), std::min<Duration>(left, LeaseRenewal::period));
     }
     co_return {};
 }
@@ -118,8 +116,7 @@ Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
     }
     Result<void> released;
     if (plan.setPoint.buffered) {
-        auto releasing = release(console, device);
-        released = co_await std::move(releasing).attempt();
+        released = co_await release(console, device).attempt();
     }
     auto moving = keepAlive(console, stream, released ? plan.time : Duration::zero(), [] { return false; });
     co_await std::move(moving);
@@ -136,8 +133,7 @@ Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
     const bool isOff = plan.setPoint.mode == Mode::Off && stream.end() != SetPointStream::End::LinkLost;
     outcome.end = isOff ? SetPointStream::End::Stopped : stream.end(); // whatever ended it, it was to end
     outcome.why = stream.reason();
-    auto confirming = confirmStop(console, device);
-    outcome.stopped = co_await std::move(confirming);
+    outcome.stopped = co_await confirmStop(console, device);
     co_return outcome;
 }
 
@@ -188,34 +184,26 @@ Result<void> mayDrive(const Device &device, const SetPoint &setPoint)
 
 Task<int> drive(Console &console, DriveArguments arguments)
 {
-    const auto plan = planOf(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
+    const auto plan = co_await planOf(console, arguments);
     const auto stopAll = [&console] { console.session().stopAll(StopCause::User); };
     const Subscription signal = console.interrupted().add(stopAll); // it ends this verb through its own stop, too
-    auto connecting = connect(console, plan->target);
-    Device *const device = co_await std::move(connecting);
-    Sleep listening(console.clock(), masterListen);
-    co_await listening;
+    Device *const device = co_await connect(console, plan.target);
+    co_await Sleep(console.clock(), masterListen);
     console.onlyAsk();
-    if (auto ready = needsApplication(*device); !ready)
-        co_return fail(ready.error());
-    if (auto allowed = mayDrive(*device, plan->setPoint); !allowed)
-        co_return fail(allowed.error());
-    if (const Message caution = device->caution(plan->setPoint); !caution.empty())
+    co_await needsApplication(*device);
+    co_await mayDrive(*device, plan.setPoint);
+    if (const Message caution = device->caution(plan.setPoint); !caution.empty())
         console.note(device->selector() + ": " + caution.english());
     console.begin();
     if (console.isInterrupted())
         stopAll(); // those that were not known at the signal
-    else if (plan->zero) {
-        auto zeroing = device->zeroPosition();
-        co_await std::move(zeroing);
+    else if (plan.zero) {
+        co_await device->zeroPosition();
     }
     Outcome outcome;
     {
         SampleStream samples(console, *device, {.channels = {}, .states = {}, .driven = true});
-        auto moving = move(console, *device, *plan);
-        outcome = co_await std::move(moving);
+        outcome = co_await move(console, *device, plan);
         report(console, outcome, samples.count());
     }
     co_return verdictOf(*device, outcome);

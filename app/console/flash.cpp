@@ -213,23 +213,19 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
 
 Task<int> flash(Console &console, FlashArguments arguments)
 {
-    const auto plan = check(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
-    auto connecting = connect(console, plan->target);
-    Device *const device = co_await std::move(connecting);
+    const auto plan = co_await check(console, arguments);
+    Device *const device = co_await connect(console, plan.target);
     auto standing = standsStill(*device);
     co_await std::move(standing);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
-        auto keeping = notebook.keepOrRefuse(*device, settings::Occasion::Update);
-        co_await std::move(keeping);
+        co_await notebook.keepOrRefuse(*device, settings::Occasion::Update);
     }
     const Instant start = console.clock().now();
     UpdateReport report;
     {
         Update update(console);
-        update.start(*plan->target.family, *device, plan->image, arguments.options);
+        update.start(*plan.target.family, *device, plan.image, arguments.options);
         co_await update.done.wait();
         if (!update.report && exitStatusOf(update.report.error().fault, false) == exitUsage)
             co_return fail(update.report.error());

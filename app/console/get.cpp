@@ -53,8 +53,7 @@ Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> ind
     const QByteArray text = QJsonDocument(object).toJson(QJsonDocument::Indented);
     if (file && !error) {
         file->write({text.constData(), static_cast<std::size_t>(text.size())});
-        if (auto saved = file->commit(); !saved)
-            co_return fail(saved.error());
+        co_await file->commit();
         console.note(std::to_string(indices.size()) + " parameters of " + device.selector() + " saved to " + name);
     }
     if (console.json())
@@ -70,10 +69,8 @@ Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> ind
 
 Task<int> get(Console &console, GetArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    auto indices = parseKeys(*target->family, arguments.keys);
+    const auto target = co_await parseTarget(console, arguments.device);
+    auto indices = parseKeys(*target.family, arguments.keys);
     if (!indices)
         co_return fail(indices.error());
     std::unique_ptr<OutputFile> file;
@@ -81,14 +78,11 @@ Task<int> get(Console &console, GetArguments arguments)
         file = std::make_unique<OutputFile>(arguments.file);
     if (auto opened = file ? file->open() : Result<void>(); !opened) // before anything is asked for
         co_return fail(opened.error());
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    if (auto ready = needsApplication(*device); !ready)
-        co_return fail(ready.error());
+    Device *const device = co_await connect(console, target);
+    co_await needsApplication(*device);
     if (arguments.keys.empty())
         *indices = readable(*device);
-    auto reading = readKept(console, *device, *indices);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, *indices);
     const auto error = firstError(*device, outcomes);
     const bool any
         = std::ranges::any_of(outcomes, [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
@@ -96,8 +90,7 @@ Task<int> get(Console &console, GetArguments arguments)
         co_return fail(*error);
     if (arguments.keys.empty())
         addWriteOnly(*device, *indices);
-    auto showing = show(console, *device, *indices, file.get(), arguments.file, error);
-    co_return co_await std::move(showing);
+    co_return co_await show(console, *device, *indices, file.get(), arguments.file, error);
 }
 
 } // namespace

@@ -10,13 +10,11 @@ namespace {
 
 Task<int> help(Console &console, std::string verb)
 {
-    const auto text = helpText(verb);
-    if (!text)
-        co_return fail(text.error());
+    const auto text = co_await helpText(verb);
     if (console.json())
-        console.out().json({{QStringLiteral("help"), qt(*text)}});
+        console.out().json({{QStringLiteral("help"), qt(text)}});
     else
-        console.out().line(std::string_view(*text).substr(0, text->find_last_not_of('\n') + 1));
+        console.out().line(std::string_view(text).substr(0, text.find_last_not_of('\n') + 1));
     co_return exitDone;
 }
 

@@ -48,30 +48,22 @@ Task<void> mayNudge(Console &console, const Target &target, const IdentifyArgume
 
 Task<int> identify(Console &console, IdentifyArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    const Capabilities &can = target->family->capabilities;
+    const auto target = co_await parseTarget(console, arguments.device);
+    const Capabilities &can = target.family->capabilities;
     const auto axis = arguments.axis.empty() ? Result<int>(1) : parseInteger("--axis", arguments.axis, 1, can.axes);
     if (!axis)
         co_return fail(axis.error());
     if (!can.identify) {
-        auto asking = mayNudge(console, *target, arguments);
-        co_await std::move(asking);
+        co_await mayNudge(console, target, arguments);
     }
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
+    Device *const device = co_await connect(console, target);
     std::string shown = "blinks";
     if (can.identify) {
-        auto blinking = device->identify();
-        co_await std::move(blinking);
+        co_await device->identify();
     } else {
-        Sleep listening(console.clock(), masterListen);
-        co_await listening;
-        if (auto ready = needsApplication(*device); !ready)
-            co_return fail(ready.error());
-        auto nudging = nudge(console, *device, *axis);
-        const double moved = co_await std::move(nudging);
+        co_await Sleep(console.clock(), masterListen);
+        co_await needsApplication(*device);
+        const double moved = co_await nudge(console, *device, *axis);
         shown = "turned to and fro, " + numberText(std::round(std::abs(moved))) + " counts at first";
     }
     if (console.json())

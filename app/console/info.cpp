@@ -73,8 +73,7 @@ Task<void> awaitStates(Console &console, const Device &device)
 {
     const Instant limit = console.clock().now() + statesLimit;
     while (!areAllTold(device) && console.clock().now() < limit && device.link().state() == LinkState::Open) {
-        Sleep nap(console.clock(), lookEvery);
-        co_await nap;
+        co_await Sleep(console.clock(), lookEvery);
     }
     co_return {};
 }
@@ -261,38 +260,27 @@ Task<std::vector<std::string>> owedTo(Console &console, Device &device)
     if (!isAsked || !QFile::exists(qt(databaseFile())))
         co_return std::vector<std::string>();
     Notebook notebook(console);
-    auto looking = notebook.owedLines(device);
-    co_return co_await std::move(looking);
+    co_return co_await notebook.owedLines(device);
 }
 
 Task<int> info(Console &console, FactsArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    const auto kept = parseAll(*target->family, arguments.keep);
-    if (!kept)
-        co_return fail(kept.error());
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    if (auto done = keep(console, *device, *kept); !done)
-        co_return fail(done.error());
+    const auto target = co_await parseTarget(console, arguments.device);
+    const auto kept = co_await parseAll(*target.family, arguments.keep);
+    Device *const device = co_await connect(console, target);
+    co_await keep(console, *device, kept);
     const bool recorded = device->link().address().isRecording(); // then there is nobody to ask
     if (!recorded) {
-        auto refreshing = device->refresh();
-        co_await std::move(refreshing);
+        co_await device->refresh();
     }
     Faults faults;
     if (!recorded && device->identity().state != DeviceState::Bootloader) {
-        auto reading = device->readFaults();
-        faults = co_await std::move(reading);
+        faults = co_await device->readFaults();
     }
     if (!recorded && device->identity().state == DeviceState::Online) {
-        auto waiting = awaitStates(console, *device);
-        co_await std::move(waiting);
+        co_await awaitStates(console, *device);
     }
-    auto looking = owedTo(console, *device);
-    const std::vector<std::string> owed = co_await std::move(looking);
+    const std::vector<std::string> owed = co_await owedTo(console, *device);
     device->link().recount();
     const std::string name = UnitNames(console).of(*device);
     if (!console.json()) {

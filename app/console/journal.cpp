@@ -48,31 +48,24 @@ void print(Console &console, const std::vector<service::Visit> &visits)
 
 Task<int> journal(Console &console, JournalArguments a)
 {
-    const auto since = parseTime(a.since);
-    if (!since)
-        co_return fail(since.error());
+    const auto since = co_await parseTime(a.since);
     if (!a.file.empty() && !a.file.ends_with(".csv"))
         co_return fail(
             Fault::Usage, say("--export: '%1' does not end with .csv", a.file), say("the journal is a table"));
-    auto database = openNotebook();
-    if (!database)
-        co_return fail(database.error());
-    ServiceBook book(**database, console.clock(), {}, accountName());
+    auto database = co_await openNotebook();
+    ServiceBook book(*database, console.clock(), {}, accountName());
     service::VisitFilter filter;
-    filter.since = *since;
+    filter.since = since;
     filter.serial = a.serial;
-    const auto visits = book.list(filter);
-    if (!visits)
-        co_return fail(visits.error());
+    const auto visits = co_await book.list(filter);
     if (!a.file.empty()) {
-        if (auto saved = exportVisits(a.file, *visits); !saved)
-            co_return fail(saved.error());
-        console.note(std::to_string(visits->size()) + " entries in " + a.file);
+        co_await exportVisits(a.file, visits);
+        console.note(std::to_string(visits.size()) + " entries in " + a.file);
     }
     if (console.json())
-        console.out().json({{QStringLiteral("entries"), visitRows(*visits)}});
+        console.out().json({{QStringLiteral("entries"), visitRows(visits)}});
     else
-        print(console, *visits);
+        print(console, visits);
     co_return exitDone;
 }
 

@@ -29,24 +29,19 @@ Task<int> monitor(Console &console, MonitorArguments arguments)
     const auto links = parseLinks(console, {arguments.link});
     if (!links)
         co_return fail(links.error());
-    const auto time = parseSpan(arguments.seconds);
-    if (!time)
-        co_return fail(time.error());
-    if (auto known = checkDialect(console, arguments.dialect); !known)
-        co_return fail(known.error());
+    const auto time = co_await parseSpan(arguments.seconds);
+    co_await checkDialect(console, arguments.dialect);
     if (links->size() != 1)
         co_return fail(Fault::Usage, say("'%1' stands for several links", arguments.link),
             say("name one, such as %1", links->front().text()));
-    const auto link = console.session().openLink(links->front());
-    if (!link)
-        co_return fail(link.error());
+    const auto link = co_await console.session().openLink(links->front());
     Ending ending(console);
-    ending.watch(**link);
-    ending.after(*time);
-    FrameLines lines(console, arguments.dialect, (*link)->kind());
-    const TimeOrigin base(console.session().clockOf(**link), (*link)->address());
-    const std::string name = (*link)->address().shortName();
-    const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {
+    ending.watch(*link);
+    ending.after(time);
+    FrameLines lines(console, arguments.dialect, link->kind());
+    const TimeOrigin base(console.session().clockOf(*link), link->address());
+    const std::string name = link->address().shortName();
+    const Subscription tap = link->traffic().add([&](const Traffic &traffic) {
         const Duration stamp = base.of(traffic.time);
         if (console.json() && traffic.can)
             lines.print(stamp, name, *traffic.can);
@@ -56,11 +51,11 @@ Task<int> monitor(Console &console, MonitorArguments arguments)
             console.out().line(trafficLine(stamp, name, traffic));
     });
     co_await ending.wait();
-    (*link)->catchUp();
+    link->catchUp();
     lines.finish();
-    (*link)->recount();
-    if (const std::uint64_t lost = (*link)->counters().lost; lost > 0)
-        console.note(std::to_string(lost) + ((*link)->kind() == LinkKind::Can ? " frames" : " bytes")
+    link->recount();
+    if (const std::uint64_t lost = link->counters().lost; lost > 0)
+        console.note(std::to_string(lost) + (link->kind() == LinkKind::Can ? " frames" : " bytes")
             + " were lost on the way from the kernel");
     if (ending.cause() == Ending::Cause::LinkLost)
         co_return fail(ending.loss());

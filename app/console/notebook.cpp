@@ -53,8 +53,7 @@ Task<void> keepStored(Console &console, const Device &device)
     beginHistory(console, device, notebook);
     if (!notebook || !notebook->settings())
         co_return {};
-    auto keeping = settings::keepStored(device, settings::Origin::Console, *notebook->settings());
-    (void)co_await std::move(keeping).attempt();
+    (void)co_await settings::keepStored(device, settings::Origin::Console, *notebook->settings()).attempt();
     co_return {};
 }
 
@@ -122,8 +121,7 @@ Task<void> Notebook::keepOrRefuse(Device &device, settings::Occasion occasion)
     if (m_trouble && device.identity().state != DeviceState::Bootloader) // one in its bootloader has nothing to keep
         co_return fail(asUsage(settings::keepsNothing(*m_trouble)));
     noteTrouble();
-    auto keeping = keepBefore(device, occasion);
-    co_await std::move(keeping);
+    co_await keepBefore(device, occasion);
     m_console.begin();
     co_return {};
 }
@@ -153,8 +151,7 @@ Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
 {
     if (!m_book)
         co_return std::vector<tuning::OwedGains>();
-    auto asking = m_book->owedTo(unitKeyOf(device));
-    auto all = co_await std::move(asking).attempt();
+    auto all = co_await m_book->owedTo(unitKeyOf(device)).attempt();
     if (!all)
         co_return std::vector<tuning::OwedGains>();
     for (const tuning::OwedGains &debt : *all) {
@@ -163,8 +160,7 @@ Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
                 + " with this unit, and puts back what it changed: "
                 + tuning::assignmentsOf(device.family(), debt.values));
     }
-    auto looking = tuning::stillOwed(device, *m_book, std::move(*all));
-    const auto owed = co_await std::move(looking).attempt();
+    const auto owed = co_await tuning::stillOwed(device, *m_book, std::move(*all)).attempt();
     co_return owed.value_or(std::vector<tuning::OwedGains>());
 }
 
@@ -178,8 +174,7 @@ std::string Notebook::causeOf(const Device &device, const tuning::OwedGains &deb
 
 Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<ParameterChange> written)
 {
-    auto looking = owedTo(device);
-    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
     std::vector<std::string> lines;
     for (const tuning::OwedGains &debt : owed) {
         const bool isReplaced = std::ranges::all_of(debt.values, [&](const auto &value) {
@@ -196,8 +191,7 @@ Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<P
 
 Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
-    auto looking = owedTo(device);
-    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
     for (const tuning::OwedGains &debt : owed) {
         const std::string what = causeOf(device, debt);
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);
@@ -210,8 +204,7 @@ Task<void> Notebook::settleOwed(Device &device, bool agreed)
             m_console.note(what + "; --yes does, or 'motorbenchctl set " + device.selector() + ' ' + values + '\'');
             continue;
         }
-        auto paying = tuning::payOwed(device, *m_book, debt);
-        co_await std::move(paying);
+        co_await tuning::payOwed(device, *m_book, debt);
         m_console.note(values + " is put back, owed by trial " + std::to_string(debt.trial));
     }
     co_return {};

@@ -54,27 +54,21 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
         co_return cancelled();
     SetPointStream &stream = console.session().stream(device);
     const double before = positionOf(device, setPoint.axis).value_or(0.0);
-    if (auto started = stream.start(setPoint, LeaseRenewal::term); !started)
-        co_return fail(started.error());
-    Sleep pushing(console.clock(), time);
-    co_await pushing;
-    if (auto there = linkOf(device, stream); !there)
-        co_return fail(there.error());
+    co_await stream.start(setPoint, LeaseRenewal::term);
+    co_await Sleep(console.clock(), time);
+    co_await linkOf(device, stream);
     if (!stream.isRunning() && !console.isInterrupted())
         co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
     const Instant limit = console.clock().now() + standLimit;
     while (!device.isSeenStopped()) {
-        if (auto there = linkOf(device, stream); !there)
-            co_return fail(there.error());
+        co_await linkOf(device, stream);
         if (console.clock().now() >= limit)
             co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),
                 say("cut its power if the motor still turns"));
-        Sleep nap(console.clock(), lookEvery);
-        co_await nap;
+        co_await Sleep(console.clock(), lookEvery);
     }
-    Sleep resting(console.clock(), restTime);
-    co_await resting;
+    co_await Sleep(console.clock(), restTime);
     if (console.isInterrupted())
         co_return cancelled();
     co_return positionOf(device, setPoint.axis).value_or(0.0) - before;

@@ -41,20 +41,16 @@ bool isPending(const Device &device, int number)
 
 Task<int> renumber(Console &console, NumberArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    if (!target->family->capabilities.renumber)
-        co_return fail(Fault::Unsupported, say("%1 has no number that can be changed", target->family->key),
+    const auto target = co_await parseTarget(console, arguments.device);
+    if (!target.family->capabilities.renumber)
+        co_return fail(Fault::Unsupported, say("%1 has no number that can be changed", target.family->key),
             say("its place on the link is fixed"));
-    const auto number = parseInteger("NEW", arguments.number, 1, target->family->capabilities.lastAddress);
+    const auto number = parseInteger("NEW", arguments.number, 1, target.family->capabilities.lastAddress);
     if (!number)
         co_return fail(number.error());
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
+    Device *const device = co_await connect(console, target);
     console.onlyAsk(); // a number that is refused for its range or its owner is refused before anything is told
-    if (auto free = checkFree(console, *device, *number); !free)
-        co_return fail(free.error());
+    co_await checkFree(console, *device, *number);
     const int old = device->identity().address;
     Notebook notebook(console);
     notebook.noteTrouble();

@@ -36,8 +36,7 @@ Task<Opened> openPublisher(Console &console, PublishAddress address)
         worker, console.clock(), address.scheme, limit, [address, limit] { return open(address, limit); },
         WhenLate::Drop);
     Result<Opened> opened = co_await std::move(opening).attempt();
-    Sleep outOfMail(console.clock(), Duration::zero());
-    co_await outOfMail;
+    co_await Sleep(console.clock(), Duration::zero());
     if (!opened && opened.error().fault == Fault::Timeout)
         co_return fail(silence(address));
     if (!opened)

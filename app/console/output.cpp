@@ -122,8 +122,7 @@ bool Output::hasRoom() const
 
 Task<void> Output::room()
 {
-    Sleep turn(m_clock, Duration::zero());
-    co_await turn;
+    co_await Sleep(m_clock, Duration::zero());
     if (hasRoom())
         co_return {};
     Event taken;

@@ -51,18 +51,16 @@ std::string text(const Parameter &p, double value)
 
 Task<int> parameters(Console &console, std::string key)
 {
-    const auto family = parseFamily(console.families(), key);
-    if (!family)
-        co_return fail(family.error());
+    const auto family = co_await parseFamily(console.families(), key);
     if (console.json()) {
         QJsonArray rows;
-        for (const Parameter &parameter : (*family)->parameters)
+        for (const Parameter &parameter : family->parameters)
             rows.append(parameterToJson(parameter));
         console.out().json({{QStringLiteral("parameters"), rows}});
         co_return exitDone;
     }
     Table table({"KEY", "ID", "TYPE", "MIN", "MAX", "DEFAULT", "UNIT", "ACCESS", "STORED", "LABEL"});
-    for (const Parameter &p : (*family)->parameters)
+    for (const Parameter &p : family->parameters)
         table.add({std::string(p.key), std::to_string(p.id), std::string(typeName(p)), text(p, p.minimum),
             text(p, p.maximum), text(p, p.fallback), std::string(p.unit), std::string(accessName(p.access)),
             p.persistent ? "yes" : "no", std::string(p.label)});

@@ -52,8 +52,7 @@ Task<bool> isAgreedTo(Console &console, std::string question)
 {
     if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1)
         co_return false;
-    auto asking = ask(console, std::move(question));
-    co_return co_await std::move(asking);
+    co_return co_await ask(console, std::move(question));
 }
 
 } // namespace mb::console

@@ -51,27 +51,21 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
 
 Task<int> rename(Console &console, RenameArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
+    const auto target = co_await parseTarget(console, arguments.device);
     const QString name = qt(arguments.name);
     const int length = name.size();
     if (length < 1 || length > longest)
         co_return fail(Fault::OutOfRange, say("a name has 1 to %1 characters, this one has %2", longest, length),
             say("choose another"));
-    if (auto plain = checkName("a name", arguments.name); !plain)
-        co_return fail(plain.error());
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    if (!target->family->capabilities.rename)
+    co_await checkName("a name", arguments.name);
+    Device *const device = co_await connect(console, target);
+    if (!target.family->capabilities.rename)
         co_return tag(console, *device, arguments.name);
     if (length > usual)
         console.note("a name above " + std::to_string(usual) + " characters is cut short by some tools");
     const std::string old = device->identity().name;
-    auto renaming = device->rename(arguments.name);
-    co_await std::move(renaming);
-    auto refreshing = device->refresh();
-    co_await std::move(refreshing);
+    co_await device->rename(arguments.name);
+    co_await device->refresh();
     const bool verified = device->identity().name == arguments.name;
     show(console, *device, old, arguments.name, verified, "read back");
     if (verified)

@@ -52,12 +52,10 @@ void Reopening::attempt()
 
 Task<void> Reopening::resume()
 {
-    auto scanning = m_console.session().scan(m_link);
-    (void)co_await std::move(scanning).attempt();
+    (void)co_await m_console.session().scan(m_link).attempt();
     if (!m_again)
         co_return {};
-    auto again = m_again();
-    co_await std::move(again);
+    co_await m_again();
     co_return {};
 }
 

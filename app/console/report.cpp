@@ -81,16 +81,14 @@ Result<Wish> check(const Console &console, const ReportArguments &a)
 /// Who it is, and every parameter that it tells.
 Task<ReportUnit> readUnit(Console &console, Target target)
 {
-    auto connecting = connect(console, target);
-    Device *const device = co_await std::move(connecting);
+    Device *const device = co_await connect(console, target);
     ReportUnit unit;
     unit.family = &device->family();
     unit.selector = device->selector();
     unit.unit = unitKeyOf(*device);
     unit.simulated = device->link().address().isSimulated();
     if (needsApplication(*device)) {
-        auto reading = readKept(console, *device, readable(*device));
-        const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+        const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, readable(*device));
         if (const auto error = firstError(*device, outcomes))
             co_return fail(*error);
         const auto entries = device->parameters().entries();
@@ -133,36 +131,28 @@ Error print(const QByteArray &html, const std::string &out, bool json)
 
 Task<int> report(Console &console, ReportArguments a)
 {
-    const auto wish = check(console, a);
-    if (!wish)
-        co_return fail(wish.error());
+    const auto wish = co_await check(console, a);
     auto file = std::make_unique<OutputFile>(a.out);
     if (auto opened = file->open(); !opened) // before anything is asked for
         co_return fail(opened.error());
-    const auto database = openNotebook();
-    if (!database)
-        co_return fail(database.error());
+    const auto database = co_await openNotebook();
     std::optional<ReportUnit> unit;
-    if (wish->target) {
-        auto reading = readUnit(console, *wish->target);
-        unit = co_await std::move(reading);
+    if (wish.target) {
+        unit = co_await readUnit(console, *wish.target);
     }
-    const auto gathered = gather(console, **database, wish->matter, std::move(unit));
-    if (!gathered)
-        co_return fail(gathered.error());
+    const auto gathered = co_await gather(console, *database, wish.matter, std::move(unit));
     const bool served
-        = std::ranges::any_of(gathered->units, [](const ReportUnit &each) { return !each.visits.empty(); });
-    if (wish->size->html == labelHtmlOf && !served)
+        = std::ranges::any_of(gathered.units, [](const ReportUnit &each) { return !each.visits.empty(); });
+    if (wish.size->html == labelHtmlOf && !served)
         co_return fail(Fault::OutOfRange, say("this unit was never served, so there is nothing to label"),
             say("serve it first: 'motorbenchctl service'"));
-    const QByteArray html = wish->size->html(*gathered).toUtf8();
-    if (wish->pdf) {
+    const QByteArray html = wish.size->html(gathered).toUtf8();
+    if (wish.pdf) {
         file.reset();
         co_return fail(print(html, a.out, console.json()));
     }
     file->write({html.constData(), static_cast<std::size_t>(html.size())});
-    if (auto saved = file->commit(); !saved)
-        co_return fail(saved.error());
+    co_await file->commit();
     co_return exitDone;
 }
 

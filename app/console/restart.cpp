@@ -10,18 +10,13 @@ namespace {
 
 Task<int> restart(Console &console, std::string text)
 {
-    const auto target = parseTarget(console, text);
-    if (!target)
-        co_return fail(target.error());
-    if (!target->family->capabilities.restart)
-        co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target->family->key),
+    const auto target = co_await parseTarget(console, text);
+    if (!target.family->capabilities.restart)
+        co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target.family->key),
             say("switch it off and on"));
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    auto restarting = device->restart();
-    co_await std::move(restarting);
-    auto keeping = keepStored(console, *device);
-    co_await std::move(keeping);
+    Device *const device = co_await connect(console, target);
+    co_await device->restart();
+    co_await keepStored(console, *device);
     if (console.json())
         console.out().json({{QStringLiteral("device"), qt(device->selector())},
             {QStringLiteral("result"), QStringLiteral("restarted")}});

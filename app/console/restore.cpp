@@ -138,8 +138,7 @@ Task<void> mayPutBack(Console &console, const Device &device, SettingsBook &book
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
 Task<std::optional<Error>> write(Console &console, Device &device, Notebook &notebook, std::vector<Change> &changes)
 {
-    auto keeping = notebook.keepOrRefuse(device, settings::Occasion::Restore);
-    co_await std::move(keeping);
+    co_await notebook.keepOrRefuse(device, settings::Occasion::Restore);
     std::vector<ParameterChange> writes;
     for (const Change &change : changes)
         writes.push_back({change.difference.index, change.difference.to});
@@ -157,8 +156,7 @@ Task<std::optional<Error>> write(Console &console, Device &device, Notebook &not
 Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIndex> indices)
 {
     ProgressLine progress(console);
-    auto reading = readParameters(device, std::move(indices), progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    const std::vector<TransferOutcome> outcomes = co_await readParameters(device, std::move(indices), progress);
     if (const auto error = firstError(device, outcomes))
         co_return fail(*error);
     co_return {};
@@ -168,8 +166,7 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
 {
     for (const Message &note : file.notes)
         console.note(arguments.file + ": " + note.english() + ", left out");
-    auto reading = readCurrent(console, device, toRead(device.family(), file));
-    co_await std::move(reading);
+    co_await readCurrent(console, device, toRead(device.family(), file));
     if (!file.serial.empty() && !isOfSameUnit(sourceOf(device), file))
         console.note(arguments.file + " was saved from unit " + file.serial + ", this one is "
             + (device.identity().serial.empty() ? "without a serial number" : device.identity().serial));
@@ -187,44 +184,33 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
 
 Task<int> restore(Console &console, RestoreArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    const auto source = nameSource(console, arguments, *target->family);
-    if (!source)
-        co_return fail(source.error());
+    const auto target = co_await parseTarget(console, arguments.device);
+    const auto source = co_await nameSource(console, arguments, *target.family);
     std::optional<ParameterFile> file;
-    if (*source && (*source)->kind == NamedSettings::Kind::File) {
-        auto loaded = parsed(arguments.file, loadSettings(**source, nullptr, {}), *target->family);
+    if (source && source->kind == NamedSettings::Kind::File) {
+        auto loaded = parsed(arguments.file, loadSettings(*source, nullptr, {}), *target.family);
         if (!loaded)
             co_return fail(loaded.error());
         file = std::move(*loaded);
     }
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    if (auto ready = needsApplication(*device); !ready)
-        co_return fail(ready.error());
+    Device *const device = co_await connect(console, target);
+    co_await needsApplication(*device);
     console.onlyAsk();
     Notebook notebook(console);
-    if (*source && !file) {
+    if (source && !file) {
         const std::string unit = unitKeyOf(*device);
-        auto loaded = parsed(arguments.file, loadSettings(**source, &notebook, unit), *target->family);
-        if (!loaded)
-            co_return fail(loaded.error());
-        file = std::move(*loaded);
-        auto agreeing = mayPutBack(console, *device, *notebook.settings(), **source, arguments);
-        co_await std::move(agreeing);
+        auto loaded = co_await parsed(arguments.file, loadSettings(*source, &notebook, unit), *target.family);
+        file = std::move(loaded);
+        co_await mayPutBack(console, *device, *notebook.settings(), *source, arguments);
     }
     console.begin();
     std::vector<Change> changes = file ? std::vector<Change>() : lostChanges(*device);
     if (file) {
-        auto comparing = changesOf(console, *device, *file, arguments);
-        changes = co_await std::move(comparing);
+        changes = co_await changesOf(console, *device, *file, arguments);
     }
     std::optional<Error> error;
     if (!arguments.dryRun && !changes.empty()) {
-        auto writing = write(console, *device, notebook, changes);
-        error = co_await std::move(writing);
+        error = co_await write(console, *device, notebook, changes);
     }
     show(console, *device, changes);
     if (!error)

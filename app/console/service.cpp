@@ -116,8 +116,7 @@ public:
     {
         for (const LinkAddress &address : links) {
             Stage &stage = m_stages.emplace_back(m_console, address);
-            auto opening = stage.session().openLinkSoon(address);
-            Link *const link = co_await std::move(opening);
+            Link *const link = co_await stage.session().openLinkSoon(address);
             link->settings().patience = m_console.options().patience;
             m_queue.addBus(stage.session(), *link);
         }
@@ -221,36 +220,27 @@ Result<std::string> runToResume(ServiceBook &book, const ServicePlan &plan)
 
 Task<int> serve(Console &console, ServiceArguments a)
 {
-    const auto plan = check(console, a);
-    if (!plan)
-        co_return fail(plan.error());
-    if (auto plain = checkName("the name of a station", a.station); !plain)
-        co_return fail(plain.error());
+    const auto plan = co_await check(console, a);
+    co_await checkName("the name of a station", a.station);
     const std::string station = a.station.empty() ? hostName() : a.station;
-    const auto desk = ServiceDesk::open(console, station, a.journal);
-    if (!desk)
-        co_return fail(desk.error());
+    const auto desk = co_await ServiceDesk::open(console, station, a.journal);
     service::QueueOptions options;
     options.station = station;
-    options.units = plan->units;
+    options.units = plan.units;
     if (a.resume) {
-        const auto last = runToResume((*desk)->book(), *plan);
-        if (!last)
-            co_return fail(last.error());
-        options.run = *last;
+        const auto last = co_await runToResume(desk->book(), plan);
+        options.run = last;
         if (options.run.empty())
             console.note("there is nothing to resume: this station has not run this recipe yet");
     }
     Result<int> ran;
     {
-        Service running(console, **desk, *plan, std::move(options));
-        auto working = running.run(plan->links);
-        ran = co_await std::move(working).attempt();
+        Service running(console, *desk, plan, std::move(options));
+        ran = co_await running.run(plan.links).attempt();
         Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
         co_await leaving;
     }
-    auto handing = (*desk)->handOver();
-    co_await std::move(handing);
+    co_await desk->handOver();
     co_return ran;
 }
 

@@ -75,8 +75,7 @@ Task<void> ServiceDesk::handOver()
 {
     if (!m_shared)
         co_return {};
-    auto delivering = m_shared->deliver();
-    const Result<void> delivered = co_await std::move(delivering).attempt();
+    const Result<void> delivered = co_await m_shared->deliver().attempt();
     if (!delivered)
         m_console.note(
             std::to_string(m_shared->waiting()) + " entries wait on this computer: " + delivered.error().text());
@@ -89,8 +88,7 @@ Task<void> SpokenPermit::beforeMotion(const Device &device, const service::SelfT
         + ": " + std::string(toString(test.loop)) + " to " + numberText(test.to) + ' ' + std::string(unitOf(test.loop))
         + envelopeText(test.limits));
     if (!device.link().address().isSimulated()) {
-        Sleep waiting(device.clock(), warning);
-        co_await waiting;
+        co_await Sleep(device.clock(), warning);
     }
     co_return {};
 }

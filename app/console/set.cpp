@@ -120,30 +120,23 @@ void show(Console &console, const Device &device, const std::vector<ParameterCha
 
 Task<int> set(Console &console, SetArguments arguments)
 {
-    const auto target = parseTarget(console, arguments.device);
-    if (!target)
-        co_return fail(target.error());
-    const auto changes = parseAssignments(*target->family, arguments.assignments);
-    if (!changes)
-        co_return fail(changes.error());
-    if (arguments.store && !target->family->capabilities.keepsSettings)
-        co_return fail(Fault::Unsupported, say("%1 keeps nothing without power", target->family->title),
+    const auto target = co_await parseTarget(console, arguments.device);
+    const auto changes = co_await parseAssignments(*target.family, arguments.assignments);
+    if (arguments.store && !target.family->capabilities.keepsSettings)
+        co_return fail(Fault::Unsupported, say("%1 keeps nothing without power", target.family->title),
             say("leave --store out, and write it again after each start"));
     Notebook notebook(console); // before the device is found: what is refused at once must not come after an answer
-    auto connecting = connect(console, *target);
-    Device *const device = co_await std::move(connecting);
-    if (auto ready = needsApplication(*device); !ready)
-        co_return fail(ready.error());
+    Device *const device = co_await connect(console, target);
+    co_await needsApplication(*device);
     notebook.noteTrouble();
-    auto looking = notebook.owedLines(*device, *changes);
-    const std::vector<std::string> owed = co_await std::move(looking);
+    const std::vector<std::string> owed = co_await notebook.owedLines(*device, changes);
     for (const std::string &line : owed)
         console.note(line);
     std::vector<TransferOutcome> outcomes;
     {
         ProgressLine progress(console);
         auto writing
-            = settings::writeKept(*device, *changes, {settings::Origin::Console}, notebook.settings(), progress);
+            = settings::writeKept(*device, changes, {settings::Origin::Console}, notebook.settings(), progress);
         outcomes = co_await std::move(writing);
     }
     std::optional<Error> error = firstError(*device, outcomes);
@@ -152,10 +145,9 @@ Task<int> set(Console &console, SetArguments arguments)
     if (error && error->fault != Fault::BadCheck)
         co_return console.fails(*error); // judged now: what is polled meanwhile was not sent by this verb
     if (arguments.store && !error) {
-        auto storing = store(console, *device, notebook.settings());
-        error = co_await std::move(storing);
+        error = co_await store(console, *device, notebook.settings());
     }
-    show(console, *device, *changes, outcomes, error.has_value());
+    show(console, *device, changes, outcomes, error.has_value());
     if (!error)
         co_return exitDone;
     if (error->fault == Fault::Timeout)

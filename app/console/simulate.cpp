@@ -112,20 +112,17 @@ Result<SimulatePlan> check(Console &console, const SimulateArguments &arguments)
 
 Task<int> simulate(Console &console, SimulateArguments arguments)
 {
-    const auto plan = check(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
+    const auto plan = co_await check(console, arguments);
     Ending ending(console);
     SimulatedUnits units(console, arguments.events);
-    for (const PlannedUnit &unit : plan->units) {
-        if (auto added = units.add(unit); !added)
-            co_return fail(added.error());
+    for (const PlannedUnit &unit : plan.units) {
+        co_await units.add(unit);
     }
     units.watch(ending);
     QJsonArray links;
-    for (const LinkAddress &link : plan->links) {
+    for (const LinkAddress &link : plan.links) {
         links.append(qt(link.text()));
-        for (const PlannedUnit &unit : plan->units) {
+        for (const PlannedUnit &unit : plan.units) {
             const auto second = unit.unit.option("boot"); // the serial line of a board's bootloader
             if (second && unit.link == link)
                 links.append(qt(std::string(*second)));
@@ -133,7 +130,7 @@ Task<int> simulate(Console &console, SimulateArguments arguments)
     }
     console.out().json({{QStringLiteral("ready"), true}, {QStringLiteral("links"), links}});
     console.out().flush();
-    ending.after(plan->time);
+    ending.after(plan.time);
     co_await ending.wait();
     if (ending.cause() == Ending::Cause::LinkLost)
         co_return fail(ending.loss());

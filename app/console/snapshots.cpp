@@ -51,20 +51,15 @@ std::string whose(const ParameterSnapshot &snapshot)
 
 Task<int> snapshot(Console &console, std::string device, std::string name)
 {
-    const auto target = parseTarget(console, device);
-    if (!target)
-        co_return fail(target.error());
+    const auto target = co_await parseTarget(console, device);
     if (name.size() > longestName)
         co_return fail(Fault::Usage, say("--name: a name has at most %1 bytes", longestName));
-    if (auto plain = checkName("a name", name); !plain)
-        co_return fail(plain.error());
+    co_await checkName("a name", name);
     Notebook notebook(console);
     if (notebook.trouble())
         co_return fail(*notebook.trouble());
-    auto connecting = connect(console, *target);
-    Device *const found = co_await std::move(connecting);
-    if (auto ready = needsApplication(*found); !ready)
-        co_return fail(ready.error());
+    Device *const found = co_await connect(console, target);
+    co_await needsApplication(*found);
     ProgressLine progress(console);
     auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
     const ParameterSnapshot taken = co_await std::move(taking);
@@ -92,29 +87,25 @@ Task<int> snapshots(Console &console, std::string device)
 {
     std::string selector;
     if (!device.empty()) {
-        const auto target = parseTarget(console, device);
-        if (!target)
-            co_return fail(target.error());
-        selector = target->selector.text();
+        const auto target = co_await parseTarget(console, device);
+        selector = target.selector.text();
     }
     Notebook notebook(console);
     if (notebook.trouble())
         co_return fail(*notebook.trouble());
-    auto all = notebook.settings()->snapshots();
-    if (!all)
-        co_return fail(all.error());
+    auto all = co_await notebook.settings()->snapshots();
     if (!selector.empty())
-        keepThoseOf(selector, *all);
+        keepThoseOf(selector, all);
     QJsonArray rows;
     Table table({"SNAPSHOT", "TIME", "SERIAL", "DEVICE", "NAME", "VALUES"});
-    for (const ParameterSnapshot &each : *all) {
+    for (const ParameterSnapshot &each : all) {
         rows.append(snapshotToJson(each));
         table.add({std::to_string(each.number), timeOf(each), whose(each), each.device, each.name,
             std::to_string(each.count)});
     }
     if (console.json())
         console.out().json({{QStringLiteral("snapshots"), rows}});
-    else if (all->empty())
+    else if (all.empty())
         console.out().line("none is kept; 'motorbenchctl snapshot DEVICE' takes one");
     else
         table.print(console.out());

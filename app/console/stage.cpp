@@ -25,12 +25,9 @@ Session &Stage::session()
 
 Task<Device *> Stage::find(Target target)
 {
-    auto connecting = connectIn(m_console, session(), std::move(target));
-    Device *const device = co_await std::move(connecting);
-    if (auto application = needsApplication(*device); !application)
-        co_return fail(application.error());
-    Sleep listening(device->clock(), masterListen);
-    co_await listening;
+    Device *const device = co_await connectIn(m_console, session(), std::move(target));
+    co_await needsApplication(*device);
+    co_await Sleep(device->clock(), masterListen);
     m_console.onlyAsk(); // what an experiment refuses it refuses before it writes or moves; the rest is its result
     co_return device;
 }
@@ -47,10 +44,8 @@ Error inWordsOfTheConsole(Error error)
 
 Task<int> performOnDevice(Stage &stage, Target target, const Performance &performance)
 {
-    auto finding = stage.find(std::move(target));
-    Device *const device = co_await std::move(finding);
-    auto performing = performance(stage.session(), *device);
-    co_return co_await std::move(performing).attempt();
+    Device *const device = co_await stage.find(std::move(target));
+    co_return co_await performance(stage.session(), *device).attempt();
 }
 
 } // namespace
@@ -59,8 +54,7 @@ Task<int> performOn(Console &console, Target target, Performance performance)
 {
     const Subscription patient = console.interrupted().add([] {});
     Stage stage(console, target.selector.link);
-    auto performing = performOnDevice(stage, std::move(target), performance);
-    const Result<int> performed = co_await std::move(performing).attempt();
+    const Result<int> performed = co_await performOnDevice(stage, std::move(target), performance).attempt();
     Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     co_await leaving;
     if (!performed)

@@ -173,23 +173,19 @@ Result<int> verdictOf(const Trial &trial)
 
 Task<int> perform(Console &console, Session &session, Device &device, StepPlan plan, Notebook &notebook)
 {
-    auto settling = notebook.settleOwed(device, plan.yes);
-    co_await std::move(settling);
+    co_await notebook.settleOwed(device, plan.yes);
     Result<Trial> trial;
     settings::Numbers before;
     if (notebook.settings()) {
-        auto asking = settings::numbersBefore(device, plan.experiment.gains);
-        before = co_await std::move(asking);
+        before = co_await settings::numbersBefore(device, plan.experiment.gains);
     }
     {
         std::optional<SampleStream> samples;
         if (plan.samples)
             samples.emplace(console, device, Watched{.channels = {}, .states = {}, .driven = true});
-        auto running = experiment(console, session, device, plan, notebook);
-        trial = co_await std::move(running).attempt();
+        trial = co_await experiment(console, session, device, plan, notebook).attempt();
     }
-    auto noting = notebook.keepReplaced(device, before, settings::Origin::Console);
-    co_await std::move(noting);
+    co_await notebook.keepReplaced(device, before, settings::Origin::Console);
     if (!trial && trial.error().fault == Fault::NotKept)
         co_return fail(putsNothingBack(trial.error()));
     if (!trial)
@@ -203,15 +199,13 @@ Task<int> perform(Console &console, Session &session, Device &device, StepPlan p
 
 Task<int> step(Console &console, StepArguments arguments)
 {
-    const auto plan = check(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
+    const auto plan = co_await check(console, arguments);
     Notebook notebook(console);
-    const bool owes = !plan->experiment.gains.empty() && plan->experiment.keep != Keep::Always;
+    const bool owes = !plan.experiment.gains.empty() && plan.experiment.keep != Keep::Always;
     if (notebook.trouble() && owes)
         co_return fail(putsNothingBack(*notebook.trouble()));
-    auto performing = performOn(console, plan->target,
-        [&](Session &session, Device &device) { return perform(console, session, device, *plan, notebook); });
+    auto performing = performOn(console, plan.target,
+        [&](Session &session, Device &device) { return perform(console, session, device, plan, notebook); });
     co_return co_await std::move(performing).attempt();
 }
 

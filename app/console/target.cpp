@@ -105,8 +105,7 @@ Task<void> noteReset(Console &console, Device &device)
     if (device.identity().state == DeviceState::Bootloader)
         co_return {};
     if (!device.family().capabilities.keepsSettings) {
-        auto looking = device.refresh();
-        co_await std::move(looking);
+        co_await device.refresh();
     }
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     if (!lost.empty())
@@ -142,8 +141,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
 {
     Result<Device *> device;
     for (int tries = 0; tries <= console.options().patience.retries; ++tries) {
-        auto finding = find(console, session, target.selector);
-        device = co_await std::move(finding).attempt();
+        device = co_await find(console, session, target.selector).attempt();
         if (device || device.error().fault != Fault::Timeout)
             break;
         if (console.isInterrupted()) // a verb that listens is not cut, but need not go on looking
@@ -155,8 +153,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
         co_return fail(device.error());
     noteRemark(console, (*device)->link());
     (*device)->link().settings().patience = console.options().patience;
-    auto noting = noteReset(console, **device);
-    co_await std::move(noting);
+    co_await noteReset(console, **device);
     console.begin();
     co_return *device;
 }

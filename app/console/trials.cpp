@@ -69,33 +69,24 @@ Task<int> trials(Console &console, TrialsArguments a)
 {
     std::string device;
     if (!a.device.empty()) {
-        const auto target = parseTarget(console, a.device);
-        if (!target)
-            co_return fail(target.error());
-        device = target->selector.text();
+        const auto target = co_await parseTarget(console, a.device);
+        device = target.selector.text();
     }
-    const auto wanted = parse(a);
-    if (!wanted)
-        co_return fail(wanted.error());
+    const auto wanted = co_await parse(a);
     if (auto writable = a.file.empty() ? Result<void>() : checkWritable(a.file); !writable)
         co_return fail(writable.error());
-    auto database = openNotebook();
-    if (!database)
-        co_return fail(database.error());
-    TrialBook book(**database, console.clock());
-    const bool changes = wanted->star || wanted->note || wanted->remove;
-    auto changed = changes ? (*database)->transact([&] { return change(book, *wanted, a); }) : Result<void>();
+    auto database = co_await openNotebook();
+    TrialBook book(*database, console.clock());
+    const bool changes = wanted.star || wanted.note || wanted.remove;
+    auto changed = changes ? database->transact([&] { return change(book, wanted, a); }) : Result<void>();
     if (!changed)
         co_return fail(changed.error());
-    const auto kept = book.list(device);
-    if (!kept)
-        co_return fail(kept.error());
+    const auto kept = co_await book.list(device);
     if (!a.file.empty()) {
-        if (auto saved = exportTrials(a.file, *kept); !saved)
-            co_return fail(saved.error());
-        console.note(std::to_string(kept->size()) + " trials in " + a.file);
+        co_await exportTrials(a.file, kept);
+        console.note(std::to_string(kept.size()) + " trials in " + a.file);
     }
-    printTrials(console, *kept);
+    printTrials(console, kept);
     co_return exitDone;
 }
 

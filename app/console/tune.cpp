@@ -116,8 +116,7 @@ Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, cons
     ExperimentSurroundings surroundings = experimenting.surroundings();
     if (!plan.tuning.propose)
         surroundings.before = [&] { return notebook.keepBefore(device, settings::Occasion::Tuning); };
-    auto tuning = autotune(device, experimenting.stream(), plan.tuning, std::move(surroundings));
-    co_return co_await std::move(tuning).attempt();
+    co_return co_await autotune(device, experimenting.stream(), plan.tuning, std::move(surroundings)).attempt();
 }
 
 Result<int> verdictOf(const TuneReport &report)
@@ -150,8 +149,7 @@ Result<int> verdictOf(const TuneReport &report)
 Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneReport &report, settings::SettingsLog *log)
 {
     ProgressLine progress(console);
-    auto storing = settings::storeKept(device, settings::Origin::Tuning, log, progress);
-    const Result<bool> proven = co_await std::move(storing).attempt();
+    const Result<bool> proven = co_await settings::storeKept(device, settings::Origin::Tuning, log, progress).attempt();
     if (!proven) {
         const Error why = proven.error().about(say("the values are in force but not proved to be stored"));
         report.evidence = joined(report.evidence, why.detail);
@@ -164,15 +162,12 @@ Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneRepo
 
 Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan, Notebook &notebook)
 {
-    auto settling = notebook.settleOwed(device, plan.yes);
-    co_await std::move(settling);
-    auto tuning = tuneOn(console, session, device, plan, notebook);
-    Result<TuneReport> report = co_await std::move(tuning).attempt();
+    co_await notebook.settleOwed(device, plan.yes);
+    Result<TuneReport> report = co_await tuneOn(console, session, device, plan, notebook).attempt();
     if (!report)
         co_return fail(report.error());
     if (report->result == TuneResult::Kept || !report->notPutBack.empty()) {
-        auto noting = notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
-        co_await std::move(noting);
+        co_await notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
     }
     Result<int> verdict = verdictOf(*report);
     if (plan.store && report->result == TuneResult::Kept) {
@@ -189,14 +184,12 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
 
 Task<int> tune(Console &console, TuneArguments arguments)
 {
-    const auto plan = check(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
+    const auto plan = co_await check(console, arguments);
     Notebook notebook(console);
-    if (notebook.trouble() && !plan->tuning.propose && !plan->tuning.keep)
+    if (notebook.trouble() && !plan.tuning.propose && !plan.tuning.keep)
         co_return fail(putsNothingBack(*notebook.trouble()));
-    auto performing = performOn(console, plan->target,
-        [&](Session &session, Device &device) { return perform(console, session, device, *plan, notebook); });
+    auto performing = performOn(console, plan.target,
+        [&](Session &session, Device &device) { return perform(console, session, device, plan, notebook); });
     co_return co_await std::move(performing).attempt();
 }
 

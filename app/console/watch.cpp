@@ -66,8 +66,7 @@ Task<std::optional<Error>> setRates(Device &device, Watched watched, double rate
         channels.push_back(ChannelIndex{static_cast<std::uint16_t>(i)});
     std::optional<Error> error;
     for (const ChannelIndex channel : channels) {
-        auto setting = device.setRate(channel, rate);
-        const Result<void> set = co_await std::move(setting).attempt();
+        const Result<void> set = co_await device.setRate(channel, rate).attempt();
         const bool excused = !set && named.empty() && set.error().fault == Fault::Unsupported;
         if (!set && !excused && !error)
             error = set.error();
@@ -97,8 +96,7 @@ Task<void> raiseAgain(Device &device, WatchPlan plan)
 {
     if (plan.rate <= 0.0)
         co_return {};
-    auto raising = setRates(device, plan.watched, plan.rate);
-    (void)co_await std::move(raising);
+    (void)co_await setRates(device, plan.watched, plan.rate);
     co_return {};
 }
 
@@ -125,8 +123,7 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
         && device.link().address().scheme != "replay")
         error = Error{Fault::Timeout, say("%1 is not heard any more", device.selector()), {}};
     if (plan.rate > 0.0) {
-        auto restoring = setRates(device, plan.watched, 0.0);
-        const std::optional<Error> failed = co_await std::move(restoring);
+        const std::optional<Error> failed = co_await setRates(device, plan.watched, 0.0);
         const auto told
             = failed ? std::optional(failed->about(say("the device's rate was not put back"))) : std::nullopt;
         if (told && error)
@@ -141,31 +138,24 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
 
 Task<int> watch(Console &console, WatchArguments arguments)
 {
-    auto plan = check(console, arguments);
-    if (!plan)
-        co_return fail(plan.error());
+    auto plan = co_await check(console, arguments);
     std::unique_ptr<Publisher> publisher;
-    if (plan->to) {
-        auto opening = openPublisher(console, *plan->to);
-        publisher = co_await std::move(opening);
+    if (plan.to) {
+        publisher = co_await openPublisher(console, *plan.to);
     }
     Ending ending(console);
-    auto connecting = connect(console, plan->target);
-    Device *const device = co_await std::move(connecting);
+    Device *const device = co_await connect(console, plan.target);
     ending.watchPatiently(device->link(), Reopening::mayReturn);
     if (device->identity().state == DeviceState::Bootloader)
         console.note(device->selector() + " waits in its bootloader and sends no samples");
-    if (plan->rate > 0.0) {
-        auto raising = setRates(*device, plan->watched, plan->rate);
-        const std::optional<Error> failed = co_await std::move(raising);
+    if (plan.rate > 0.0) {
+        const std::optional<Error> failed = co_await setRates(*device, plan.watched, plan.rate);
         if (failed) {
-            auto restoring = setRates(*device, plan->watched, 0.0);
-            (void)co_await std::move(restoring);
+            (void)co_await setRates(*device, plan.watched, 0.0);
             co_return fail(*failed);
         }
     }
-    auto streaming = stream(console, *device, *plan, publisher.get(), ending);
-    co_return co_await std::move(streaming);
+    co_return co_await stream(console, *device, plan, publisher.get(), ending);
 }
 
 } // namespace

@@ -13,8 +13,7 @@ Task<settings::ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog
 {
     auto taking = settings::takeSnapshot(device, settings::Occasion::Found, {}, log, progress);
     settings::ParameterSnapshot taken = co_await std::move(taking);
-    auto noticing = settings::noticeForeign(device, log);
-    const int foreign = co_await std::move(noticing);
+    const int foreign = co_await settings::noticeForeign(device, log);
     const bool isFresh = device.link().address().isSimulated(); // a bench of this process was never left as anything
     if (foreign > 0 && !isFresh)
         progress.log(Severity::Caution, say("%1 values are not what they were left as; the history has both", foreign));

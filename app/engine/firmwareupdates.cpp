@@ -46,10 +46,8 @@ Task<UpdateReport> FirmwareUpdates::update(
     const service::BusyDevice busy(device, say("firmware update"));
     auto standing = standsStill(device); // a click may be late, and what it was given on a picture
     co_await std::move(standing);
-    auto keeping = m_parameters.keepBefore(device, settings::Occasion::Update, progress);
-    co_await std::move(keeping);
-    auto updating = device.family().update(device, *image, std::move(options), progress);
-    co_return co_await std::move(updating).attempt();
+    co_await m_parameters.keepBefore(device, settings::Occasion::Update, progress);
+    co_return co_await device.family().update(device, *image, std::move(options), progress).attempt();
 }
 
 /// The unit may have another id by now: another one took its place.

@@ -83,8 +83,7 @@ void Links::openAwaited(const LinkAddress &address)
 
 Task<void> Links::openReturned(LinkAddress address)
 {
-    auto opening = m_context.session.openLinkSoon(address);
-    Link *const link = co_await std::move(opening);
+    Link *const link = co_await m_context.session.openLinkSoon(address);
     opened(*link);
     m_context.log.tell(Severity::Good, address.shortName(), say("is there"));
     m_scans.scan(*link);

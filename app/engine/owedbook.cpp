@@ -13,8 +13,7 @@ using Owed = std::vector<tuning::OwedGains>;
 
 Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
 {
-    auto settling = journal.settle(trial);
-    co_await std::move(settling);
+    co_await journal.settle(trial);
     co_return {};
 }
 

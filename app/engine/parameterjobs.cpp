@@ -18,8 +18,7 @@ using Outcomes = std::vector<TransferOutcome>;
 
 Task<void> rewrite(Device &device, settings::SettingsLog *log, Progress &progress)
 {
-    auto writing = settings::rewriteKept(device, settings::Origin::Window, log, progress);
-    co_await std::move(writing);
+    co_await settings::rewriteKept(device, settings::Origin::Window, log, progress);
     co_return {};
 }
 

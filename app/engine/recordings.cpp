@@ -103,8 +103,7 @@ Task<void> Recordings::record(std::string link, std::string path)
 {
     if (auto may = mayRecord(link); !may)
         co_return may;
-    auto making = makeFile(path);
-    auto file = co_await std::move(making);
+    auto file = co_await makeFile(path);
     if (auto may = mayRecord(link); !may) // while the file was being made
         co_return may;
     Link *const open = linkUnder(link);

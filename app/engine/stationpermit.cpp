@@ -89,14 +89,12 @@ Task<void> StationPermit::beforeMotion(const Device &device, const service::Self
 {
     int arming = 0;
     do {
-        auto waiting = untilArmed(device, progress);
-        co_await std::move(waiting);
+        co_await untilArmed(device, progress);
         arming = m_armings;
         const Counted announcing(m_announcing);
         restart();
         m_changed.notify();
-        Sleep warning(m_clock, announcement);
-        co_await warning;
+        co_await Sleep(m_clock, announcement);
         look(); // who sleeps in the last second of it is not there either
     } while (!isArmed() || arming != m_armings);
     m_changed.notify();
@@ -121,8 +119,7 @@ Task<void> StationPermit::untilArmed(const Device &device, Progress &progress)
             co_return fail(Fault::Timeout, say("the unit was taken off while it waited for the station to be armed"),
                 say("hold Arm, then put it on again"));
         progress.step(say("waits until the station is armed"), 0, 0);
-        Sleep looking(m_clock, armedAgain);
-        co_await looking;
+        co_await Sleep(m_clock, armedAgain);
     }
     co_return {};
 }

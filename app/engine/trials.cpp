@@ -17,8 +17,7 @@ using tuning::Trial;
 template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
 {
     const auto held = std::move(interruption);
-    auto running = std::move(story);
-    co_return co_await std::move(running).attempt();
+    co_return co_await std::move(story).attempt();
 }
 
 /// With a snapshot before it, and what it has replaced in the history.
@@ -32,8 +31,7 @@ Task<tuning::TuneReport> tuneKept(
     }
     tuning::TuneReport report = co_await std::move(story);
     if (log && (report.result == tuning::TuneResult::Kept || !report.notPutBack.empty())) {
-        auto noting = settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log);
-        (void)co_await std::move(noting).attempt();
+        (void)co_await settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log).attempt();
     }
     co_return report;
 }
@@ -43,13 +41,11 @@ Task<Trial> tryKept(Device &device, std::vector<ParameterChange> gains, settings
 {
     settings::Numbers before;
     if (log && !gains.empty()) {
-        auto asking = settings::numbersBefore(device, std::move(gains));
-        before = co_await std::move(asking);
+        before = co_await settings::numbersBefore(device, std::move(gains));
     }
     Result<Trial> trial = co_await std::move(story).attempt();
     if (!before.empty()) {
-        auto noting = settings::keepReplaced(device, std::move(before), settings::Origin::Window, *log);
-        (void)co_await std::move(noting).attempt();
+        (void)co_await settings::keepReplaced(device, std::move(before), settings::Origin::Window, *log).attempt();
     }
     co_return trial;
 }
@@ -57,8 +53,7 @@ Task<Trial> tryKept(Device &device, std::vector<ParameterChange> gains, settings
 Task<void> runOf(
     Device &device, SetPointStream &stream, const Experiment &experiment, ExperimentOptions options, Progress &progress)
 {
-    auto running = experiment.run(device, stream, options, progress);
-    const ExperimentReport report = co_await std::move(running);
+    const ExperimentReport report = co_await experiment.run(device, stream, options, progress);
     progress.log(Severity::Good, report.sentence);
     co_return {};
 }

@@ -41,8 +41,7 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
     const Instant end = device.clock().now() + limit;
     double moved = 0.0;
     while (stream.isRunning() && device.clock().now() < end && std::abs(moved) < enough) {
-        Sleep nap(device.clock(), glancePeriod);
-        co_await nap;
+        co_await Sleep(device.clock(), glancePeriod);
         moved = recorder.latest("position").value_or(before) - before;
         if (device.clock().now() - (end - limit) >= patience && std::abs(moved) < leastNudge)
             break;
@@ -50,10 +49,8 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
     const bool others = !stream.isRunning() && stream.end() == SetPointStream::End::Stopped && !recorder.trip();
     if (stream.isRunning())
         stream.stop();
-    auto stopping = confirmStop(device);
-    (void)co_await std::move(stopping);
-    auto resting = untilAtRest(device, setPoint.axis);
-    (void)co_await std::move(resting);
+    (void)co_await confirmStop(device);
+    (void)co_await untilAtRest(device, setPoint.axis);
     if (others)
         co_return fail(Fault::Cancelled, stream.reason());
     co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
@@ -145,8 +142,7 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     guards.dutyKnown = true;
     bool rests = recorder.isStill(Instant(), restSpan);
     if (!rests) {
-        auto resting = untilAtRest(device, axis);
-        rests = co_await std::move(resting);
+        rests = co_await untilAtRest(device, axis);
     }
     if (!rests && device.link().state() == LinkState::Open)
         co_return fail(Fault::Unsafe, say("the shaft still turns, so nobody can tell which way it is pushed"),
@@ -199,8 +195,7 @@ Task<bool> confirmStop(Device &device)
             device.stop();
             again = limit;
         }
-        Sleep nap(clock, glancePeriod);
-        co_await nap;
+        co_await Sleep(clock, glancePeriod);
     }
     co_return true;
 }
@@ -213,8 +208,7 @@ Task<bool> untilAtRest(Device &device, std::optional<int> axis)
     while (!std::ranges::all_of(places, [&clock](const Place &place) { return place.rests(clock.now()); })) {
         if (clock.now() >= begin + restLimit || device.link().state() != LinkState::Open)
             co_return false;
-        Sleep nap(clock, glancePeriod);
-        co_await nap;
+        co_await Sleep(clock, glancePeriod);
         for (Place &place : places)
             place.look(*device.telemetry(), clock.now());
     }

@@ -41,8 +41,7 @@ Task<void> refresh(Device &device, std::string key)
 {
     const auto index = findParameter(device.family().parameters, key);
     if (index && device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index)) {
-        auto reading = device.read(*index);
-        co_await std::move(reading);
+        co_await device.read(*index);
     }
     co_return {};
 }
@@ -135,8 +134,7 @@ Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position
     const Family &family = device.family();
     for (const DeviceLimit &limit : family.trials->limits) {
         for (const std::string_view key : {limit.enabled, limit.key}) {
-            auto reading = refresh(device, gainKey(family, key, axis, slot));
-            co_await std::move(reading);
+            co_await refresh(device, gainKey(family, key, axis, slot));
         }
     }
     co_return ownLimits(family, device.parameters().entries(), axis, slot, position);

@@ -42,18 +42,14 @@ Result<void> checkPlan(const Family &family, const ExperimentPlan &plan)
 Task<Trial> runExperiment(
     Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings)
 {
-    if (auto possible = checkPlan(device.family(), plan); !possible)
-        co_return fail(possible.error());
+    co_await checkPlan(device.family(), plan);
     ExperimentRun run(device, stream, std::move(plan), std::move(surroundings));
-    auto preparing = run.prepare();
-    co_await std::move(preparing);
-    auto performing = run.perform();
-    const Result<void> performed = co_await std::move(performing).attempt();
+    co_await run.prepare();
+    const Result<void> performed = co_await run.perform().attempt();
     std::optional<Error> error;
     if (!performed)
         error = performed.error();
-    auto concluding = run.conclude(error);
-    co_await std::move(concluding);
+    co_await run.conclude(error);
     Trial trial = run.takeTrial();
     if (!error || run.hasResult())
         co_return trial;

@@ -93,11 +93,9 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
     const SetPoint first = setPointAt(m_trial.stimulus.from);
     if (auto started = m_stream.start(first, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
-    auto going = goTo(m_trial.stimulus.from);
-    co_await std::move(going);
+    co_await goTo(m_trial.stimulus.from);
     for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
-        auto following = followOnce(ditherOf(i, m_plan.repeat, period));
-        co_await std::move(following);
+        co_await followOnce(ditherOf(i, m_plan.repeat, period));
     }
     m_completed = !isOver();
     m_recorder.unguard();
@@ -146,8 +144,7 @@ Task<void> ExperimentMotion::goTo(double target)
                 limit};
             break;
         }
-        Sleep nap(m_device.clock(), glance);
-        co_await nap;
+        co_await Sleep(m_device.clock(), glance);
     }
     co_return {};
 }
@@ -163,15 +160,13 @@ double ExperimentMotion::restWidth() const
 Task<void> ExperimentMotion::followOnce(double dither)
 {
     Clock &clock = m_device.clock();
-    Sleep waiting(clock, stillBefore + ofSeconds(dither));
-    co_await waiting;
+    co_await Sleep(clock, stillBefore + ofSeconds(dither));
     const Instant begin = clock.now();
     const Instant end = begin + ofSeconds(m_trial.stimulus.length());
     auto following = m_plan.relay ? swing(end) : followProfile(begin, end);
     co_await std::move(following);
     keepHolds(begin, clock.now());
-    auto returning = comeBack();
-    co_await std::move(returning);
+    co_await comeBack();
     co_return {};
 }
 
@@ -188,8 +183,7 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
         if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, way, restWidth())))
             break;
-        Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
-        co_await nap;
+        co_await Sleep(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
     }
     co_return {};
 }
@@ -202,8 +196,7 @@ Task<void> ExperimentMotion::swing(Instant end)
     double target = m_trial.stimulus.to;
     for (int turns = 0; !isOver() && clock.now() < end && turns < relayTurns;) {
         setTarget(target);
-        Sleep nap(clock, relayGlance);
-        co_await nap;
+        co_await Sleep(clock, relayGlance);
         const double passed = m_recorder.latest("position").value_or(middle) - middle;
         if (passed * target > 0.0 && std::abs(passed) > *m_plan.relay) {
             target = -target;
@@ -231,8 +224,7 @@ Task<void> ExperimentMotion::comeBack()
     tellMeasured();
     const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
     while (!isOver() && clock.now() < limit && !hasReturned(back)) {
-        Sleep nap(clock, ofSeconds(m_beat));
-        co_await nap;
+        co_await Sleep(clock, ofSeconds(m_beat));
     }
     m_returns.emplace_back(back, clock.now());
     co_return {};

@@ -64,15 +64,12 @@ Task<void> ExperimentRun::hearPosition()
 
 Task<void> ExperimentRun::prepare()
 {
-    if (auto allowed = m_device.mayMove(); !allowed)
-        co_return fail(allowed.error());
-    auto hearing = hearPosition();
-    co_await std::move(hearing);
+    co_await m_device.mayMove();
+    co_await hearPosition();
     const bool counted = m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
     if (counted)
         m_origin = 0.0; // it counts from its start
-    auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
-    const Envelope own = co_await std::move(reading);
+    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
     const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
     if (!envelope)
@@ -84,20 +81,17 @@ Task<void> ExperimentRun::prepare()
         co_return fail(stimulus.error());
     if (stimulus->from == stimulus->to)
         co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another target"));
-    if (auto inside = checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin); !inside)
-        co_return fail(inside.error());
+    co_await checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin);
     m_trial.stimulus = *stimulus;
     m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
     m_trial.envelope = *envelope;
     if (!counted) {
         for (const double target : {stimulus->from, stimulus->to}) {
-            if (auto legal = m_device.check(m_motion.setPointAt(target)); !legal)
-                co_return fail(legal.error());
+            co_await m_device.check(m_motion.setPointAt(target));
         }
     }
     if (m_plan.keep != Keep::Always) {
-        auto replacing = readReplaced(m_device, m_plan.gains);
-        m_owed = co_await std::move(replacing);
+        m_owed = co_await readReplaced(m_device, m_plan.gains);
     }
     describe(m_trial, m_device);
     m_trial.mode = m_plan.mode;
@@ -110,27 +104,21 @@ Task<void> ExperimentRun::prepare()
 Task<void> ExperimentRun::perform()
 {
     if (m_around.before) {
-        auto keeping = m_around.before();
-        co_await std::move(keeping);
+        co_await m_around.before();
     }
     if (needsRestart(m_device, m_plan.gains))
         m_trial.flags.emplace_back(flag::restartNeeded);
-    auto writing = writeDown();
-    co_await std::move(writing);
-    auto zeroing = zero();
-    co_await std::move(zeroing);
-    auto raising = m_rates.raise(m_plan.axis, rate(), m_around);
-    co_await std::move(raising);
+    co_await writeDown();
+    co_await zero();
+    co_await m_rates.raise(m_plan.axis, rate(), m_around);
     if (!m_plan.intent.empty())
         note(m_plan.intent);
     announce(m_device, m_around, m_plan, m_trial, m_origin);
-    auto finding = findDirection();
-    co_await std::move(finding);
+    co_await findDirection();
     if (const Message caution = m_device.caution(m_motion.setPointAt(m_trial.stimulus.to)); !caution.empty())
         m_around.caution(caution);
     m_moved = true;
-    auto moving = m_motion.run(guardPlan(), 1.0 / rate());
-    co_await std::move(moving);
+    co_await m_motion.run(guardPlan(), 1.0 / rate());
     if (m_motion.unreached())
         m_trip = m_motion.unreached();
     co_return {};
@@ -140,11 +128,9 @@ Task<void> ExperimentRun::zero()
 {
     if (m_plan.mode != Mode::Position || !m_device.family().capabilities.zeroPosition)
         co_return {};
-    if (auto may = m_user.mayGoOn(); !may)
-        co_return fail(may.error());
+    co_await m_user.mayGoOn();
     m_stoppedForZero = true;
-    auto zeroing = m_device.zeroPosition();
-    co_await std::move(zeroing);
+    co_await m_device.zeroPosition();
     co_return {};
 }
 
@@ -153,8 +139,7 @@ Task<void> ExperimentRun::writeDown()
     const bool owes = !m_plan.gains.empty() && m_plan.keep != Keep::Always;
     m_trial.gains = numbersOf(m_device.family(), m_plan.gains); // for whoever finds this trial cut off
     if (m_around.journal) {
-        auto beginning = m_around.journal->begin(m_trial);
-        const Result<std::int64_t> number = co_await std::move(beginning).attempt();
+        const Result<std::int64_t> number = co_await m_around.journal->begin(m_trial).attempt();
         if (!number && owes)
             co_return fail(number.error());
         if (number)
@@ -166,19 +151,15 @@ Task<void> ExperimentRun::writeDown()
         co_return fail(Fault::Unsafe, say("nothing could put the gains back after a crash"),
             say("keep what is tried, or name a notebook that can be written"));
     if (owes) {
-        auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
-        co_await std::move(owing);
+        co_await m_around.journal->owe(*m_number, m_trial.unit, m_owed);
     }
     if (!m_plan.gains.empty()) {
-        if (auto may = m_user.mayGoOn(); !may)
-            co_return fail(may.error());
+        co_await m_user.mayGoOn();
         m_wrote = true;
-        auto writing = writeGains(m_device, m_plan.gains);
-        co_await std::move(writing);
+        co_await writeGains(m_device, m_plan.gains);
         m_inForce = true;
     }
-    auto reading = readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
-    m_trial.gains = co_await std::move(reading);
+    m_trial.gains = co_await readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
     co_return {};
 }
 
@@ -241,8 +222,7 @@ Task<void> ExperimentRun::releaseKept()
     std::vector<std::string> keys;
     for (const ParameterChange &change : m_plan.gains)
         keys.emplace_back(m_device.parameters().parameter(change.index).key);
-    auto releasing = m_around.journal->release(m_trial.unit, std::move(keys));
-    if (const auto released = co_await std::move(releasing).attempt(); !released)
+    if (const auto released = co_await m_around.journal->release(m_trial.unit, std::move(keys)).attempt(); !released)
         m_around.caution(say("the notebook may offer to put back what was there before: %1", released.error().detail));
     co_return {};
 }
@@ -251,8 +231,7 @@ Task<void> ExperimentRun::putBack()
 {
     const bool owes = m_number && !m_owed.empty() && m_plan.keep != Keep::Always;
     if (!m_wrote && owes) { // as before, whatever its motor does
-        auto settling = m_around.journal->settle(*m_number);
-        (void)co_await std::move(settling).attempt();
+        (void)co_await m_around.journal->settle(*m_number).attempt();
     }
     if (!m_wrote)
         co_return {};
@@ -261,8 +240,7 @@ Task<void> ExperimentRun::putBack()
     if (m_plan.keep == Keep::Always && !m_inForce)
         co_return {};
     if (m_plan.keep == Keep::Always || (m_plan.keep == Keep::WhenDone && m_trial.reason == "done")) {
-        auto releasing = releaseKept();
-        co_await std::move(releasing);
+        co_await releaseKept();
         co_return {};
     }
     Result<void> written = fail(Fault::LinkLost, m_device.link().loss().message());
@@ -271,8 +249,7 @@ Task<void> ExperimentRun::putBack()
     } else if (m_device.link().state() == LinkState::Open && !m_stands) {
         written = fail(Fault::Unsafe, say("the motor was not seen to stand"));
     } else if (m_device.link().state() == LinkState::Open) {
-        auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
-        written = co_await std::move(writing).attempt();
+        written = co_await writeGains(m_device, changesOf(m_device.family(), m_owed)).attempt();
     }
     if (!written) {
         m_trial.notPutBack = written.error().detail;
@@ -282,8 +259,7 @@ Task<void> ExperimentRun::putBack()
             say("the gains were not put back: %1; they are offered at the next connection", written.error().detail));
         co_return {};
     }
-    auto marking = markPutBack(m_device, *m_around.journal, *m_number);
-    (void)co_await std::move(marking).attempt();
+    (void)co_await markPutBack(m_device, *m_around.journal, *m_number).attempt();
     co_return {};
 }
 
@@ -324,22 +300,18 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     if (m_user.isRequested() || (m_stoppedForZero && !m_moved))
         m_device.stop(); // whoever calls for a stop is told whether the motor stands, whatever moved it
     if (hasResult()) {
-        auto confirming = confirmStop(m_device);
-        m_trial.stopped = co_await std::move(confirming);
-        auto resting = untilAtRest(m_device, m_plan.axis);
-        const bool rests = co_await std::move(resting);
+        m_trial.stopped = co_await confirmStop(m_device);
+        const bool rests = co_await untilAtRest(m_device, m_plan.axis);
         m_stands = rests && m_trial.stopped;
     }
     m_trial.samples = m_recorder.samples();
     m_trial.lost = m_recorder.lost();
     measure(m_trial, m_device.family(), m_recorder, m_motion.holds(), m_motion.returns());
-    auto putting = putBack();
-    co_await std::move(putting);
+    co_await putBack();
     auto lowering = m_rates.lower(m_around); // over a lost link too: the device owes it then
     co_await std::move(lowering);
     if (m_number) {
-        auto completing = m_around.journal->complete(*m_number, m_trial);
-        const Result<void> completed = co_await std::move(completing).attempt();
+        const Result<void> completed = co_await m_around.journal->complete(*m_number, m_trial).attempt();
         if (!completed)
             note(say("this trial is kept without its result: %1", completed.error().detail));
         m_concluded = completed.has_value();

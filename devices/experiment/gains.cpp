@@ -63,8 +63,7 @@ Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
         if (!device.offers(index))
             continue;
         if (isReadable(device, index)) {
-            auto reading = device.read(index);
-            co_await std::move(reading);
+            co_await device.read(index);
         }
         std::optional<double> value;
         if (isKnown(device, index)) {
@@ -96,8 +95,7 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
     for (const ParameterChange &change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         if (isReadable(device, change.index)) {
-            auto reading = device.read(change.index);
-            co_await std::move(reading);
+            co_await device.read(change.index);
         } else if (auto written = checkWritten(device, change.index); !written) {
             co_return fail(written.error());
         }
@@ -111,8 +109,7 @@ Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
     bool isSeen = false;
     for (int pass = 0; pass < 2 && !isSeen; ++pass) {
         NoProgress progress;
-        auto writing = writeParameters(device, changes, progress);
-        const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+        const std::vector<TransferOutcome> outcomes = co_await writeParameters(device, changes, progress);
         isSeen = true;
         for (const TransferOutcome &outcome : outcomes) {
             if (!outcome.raw)

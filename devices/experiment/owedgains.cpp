@@ -24,8 +24,7 @@ Task<bool> hasStored(Device &device, double since)
     if (inSeconds(now) - since < inSeconds(storingTime(device)))
         co_return false;
     NoProgress unseen;
-    auto storing = device.store(unseen);
-    const Result<bool> stored = co_await std::move(storing).attempt();
+    const Result<bool> stored = co_await device.store(unseen).attempt();
     co_return stored.has_value();
 }
 
@@ -34,8 +33,7 @@ using Present = std::map<std::string, std::int64_t>;
 /// What the unit has of these now; empty where that is not known.
 Task<Present> presentOf(Device &device, std::vector<OwedValue> values)
 {
-    auto reading = readReplaced(device, changesOf(device.family(), values));
-    const auto read = co_await std::move(reading).attempt();
+    const auto read = co_await readReplaced(device, changesOf(device.family(), values)).attempt();
     Present present;
     for (const OwedValue &value : read.value_or(std::vector<OwedValue>()))
         present[value.key] = value.raw;
@@ -68,8 +66,7 @@ Task<void> releaseWritten(const Device &device, ExperimentJournal &journal, cons
     if (written.empty())
         co_return {};
     std::erase_if(debt.values, [&](const OwedValue &value) { return isOver(present, debt, value); });
-    auto releasing = journal.release(unitKeyOf(device), std::move(written));
-    (void)co_await std::move(releasing).attempt();
+    (void)co_await journal.release(unitKeyOf(device), std::move(written)).attempt();
     co_return {};
 }
 
@@ -94,10 +91,8 @@ Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t 
 
 Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal)
 {
-    auto asking = journal.owedTo(unitKeyOf(device));
-    std::vector<OwedGains> owed = co_await std::move(asking);
-    auto looking = stillOwed(device, journal, std::move(owed));
-    co_return co_await std::move(looking);
+    std::vector<OwedGains> owed = co_await journal.owedTo(unitKeyOf(device));
+    co_return co_await stillOwed(device, journal, std::move(owed));
 }
 
 Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed)
@@ -106,10 +101,8 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
     for (OwedGains &debt : owed) {
         if (debt.isUnderWay)
             continue;
-        auto looking = presentOf(device, debt.values);
-        const Present present = co_await std::move(looking);
-        auto releasing = releaseWritten(device, journal, present, debt);
-        co_await std::move(releasing);
+        const Present present = co_await presentOf(device, debt.values);
+        co_await releaseWritten(device, journal, present, debt);
         if (debt.values.empty())
             continue;
         const auto isThere = [&present](const OwedValue &value) { return has(present, value); };
@@ -118,28 +111,22 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
             continue;
         }
         if (storesLater(device)) {
-            auto proving = hasStored(device, debt.time);
-            if (!co_await std::move(proving))
+            if (!co_await hasStored(device, debt.time))
                 continue;
         }
-        auto settling = journal.settle(debt.trial);
-        (void)co_await std::move(settling).attempt();
+        (void)co_await journal.settle(debt.trial).attempt();
     }
     co_return rest;
 }
 
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
-    auto confirming = confirmStop(device);
-    (void)co_await std::move(confirming);
-    auto resting = untilAtRest(device);
-    if (!co_await std::move(resting) || !device.isSeenStopped()) // another may drive a motor that is blocked
+    (void)co_await confirmStop(device);
+    if (!co_await untilAtRest(device) || !device.isSeenStopped()) // another may drive a motor that is blocked
         co_return fail(
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
-    auto writing = writeGains(device, changesOf(device.family(), owed.values));
-    co_await std::move(writing);
-    auto marking = markPutBack(device, journal, owed.trial);
-    co_await std::move(marking);
+    co_await writeGains(device, changesOf(device.family(), owed.values));
+    co_await markPutBack(device, journal, owed.trial);
     co_return {};
 }
 

@@ -16,8 +16,7 @@ Task<void> RaisedRates::raise(int axis, double rate, const ExperimentSurrounding
         const auto channel = axisChannel(m_device, key, axis);
         if (!channel)
             continue;
-        auto setting = m_device.setRate(*channel, rate);
-        const Result<void> set = co_await std::move(setting).attempt();
+        const Result<void> set = co_await m_device.setRate(*channel, rate).attempt();
         if (set || set.error().fault == Fault::Timeout || set.error().fault == Fault::LinkLost) // or perhaps
             m_raised.push_back(*channel);
         if (!set && set.error().fault == Fault::LinkLost)
@@ -25,16 +24,14 @@ Task<void> RaisedRates::raise(int axis, double rate, const ExperimentSurrounding
         if (!set && set.error().fault != Fault::Unsupported && set.error().fault != Fault::OutOfRange)
             around.caution(say("%1 is not told as often as was asked for: %2", key, set.error().detail));
     }
-    Sleep listening(m_device.clock(), rateTime);
-    co_await listening;
+    co_await Sleep(m_device.clock(), rateTime);
     co_return {};
 }
 
 Task<void> RaisedRates::lower(const ExperimentSurroundings &around)
 {
     for (const ChannelIndex channel : m_raised) {
-        auto setting = m_device.setRate(channel, 0.0);
-        const Result<void> set = co_await std::move(setting).attempt();
+        const Result<void> set = co_await m_device.setRate(channel, 0.0).attempt();
         if (!set && m_device.link().state() == LinkState::Open)
             around.caution(say("the device's rate was not put back: %1", set.error().detail));
     }

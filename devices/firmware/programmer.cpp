@@ -32,8 +32,7 @@ Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command
     std::function<void(const ExternalProgram::Piece &)> take, Progress &progress)
 {
     ExternalProgram program(clock);
-    if (auto started = program.start(command); !started)
-        co_return fail(started.error());
+    co_await program.start(command);
     for (;;) {
         const auto piece = co_await program.next(programPatience);
         if (!piece)

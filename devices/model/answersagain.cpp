@@ -17,8 +17,7 @@ Task<bool> answersAgain(Device &device)
 {
     for (int attempt = 0; attempt < answerTries; ++attempt) {
         co_await Sleep(device.clock(), answerEvery);
-        auto asking = device.refresh();
-        const Result<void> answer = co_await std::move(asking).attempt();
+        const Result<void> answer = co_await device.refresh().attempt();
         if (answer)
             co_return true;
         if (answer.error().fault == Fault::LinkLost)

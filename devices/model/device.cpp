@@ -86,8 +86,7 @@ Task<std::int64_t> Device::read(ParameterIndex index)
 {
     if (m_parameters.parameter(index).access == Access::WriteOnly)
         co_return fail(Fault::Unsupported, say("%1 cannot be read from the device", m_parameters.parameter(index).key));
-    auto task = doRead(index);
-    const Result<std::int64_t> raw = co_await std::move(task).attempt();
+    const Result<std::int64_t> raw = co_await doRead(index).attempt();
     if (raw)
         m_parameters.setRead(index, *raw);
     else
@@ -103,8 +102,7 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     UnsettledWrite unsettled = m_knowledge.writing(index);
     if (parameter.access != Access::WriteOnly || m_link.state() != LinkState::Open)
         unsettled.settle();
-    auto task = doWrite(index, raw);
-    const Result<std::int64_t> inForce = co_await std::move(task).attempt();
+    const Result<std::int64_t> inForce = co_await doWrite(index, raw).attempt();
     if (inForce || !mayHaveCome(inForce.error().fault))
         unsettled.settle();
     const bool forgotten = !family().capabilities.keepsSettings && parameter.nature == Nature::Setting;
@@ -200,8 +198,7 @@ Task<void> Device::restart()
     if (!m_gate.busy().empty())
         co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.busy()));
     stop();
-    auto restarting = doRestart();
-    co_await std::move(restarting);
+    co_await doRestart();
     co_return {};
 }
 

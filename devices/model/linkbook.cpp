@@ -58,18 +58,14 @@ Task<Link *> LinkBook::openSoon(LinkAddress address)
 {
     if (Link *const known = find(address)) {
         const bool wasOpen = known->state() == LinkState::Open;
-        auto opening = known->openSoon();
-        co_await std::move(opening);
+        co_await known->openSoon();
         if (!wasOpen)
             remark(*known);
         co_return known;
     }
-    auto made = make(address);
-    if (!made)
-        co_return fail(made.error());
-    auto opening = made->link->openSoon();
-    co_await std::move(opening);
-    co_return &enlist(std::move(*made));
+    auto made = co_await make(address);
+    co_await made.link->openSoon();
+    co_return &enlist(std::move(made));
 }
 
 void LinkBook::reopen(Link &link)

@@ -30,8 +30,7 @@ Task<void> linkReturn(Link &link, Clock &clock, Duration limit)
             co_return fail(link.notOpen());
         if (clock.now() >= end)
             co_return fail(cause);
-        auto opening = link.openSoon();
-        if (const Result<void> opened = co_await std::move(opening).attempt(); !opened)
+        if (const Result<void> opened = co_await link.openSoon().attempt(); !opened)
             cause = opened.error();
     }
 }

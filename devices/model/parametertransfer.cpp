@@ -50,8 +50,7 @@ Task<std::vector<TransferOutcome>> readParameters(
     for (const ParameterIndex index : indices) {
         progress.step(
             say("Reading %1", device.parameters().parameter(index).key), static_cast<int>(outcomes.size()), total);
-        auto task = device.read(index);
-        Result<std::int64_t> raw = co_await std::move(task).attempt();
+        Result<std::int64_t> raw = co_await device.read(index).attempt();
         const bool silent = !raw && raw.error().fault == Fault::Timeout && !device.liveness().heard;
         const bool lost = silent || (!raw && raw.error().fault == Fault::LinkLost);
         outcomes.push_back({index, std::move(raw), std::nullopt});
@@ -71,8 +70,7 @@ Task<TransferOutcome> afterClear(Device &device, ParameterChange change)
 {
     const Parameter &parameter = device.parameters().parameter(change.index);
     TransferOutcome outcome{change.index, 0, std::nullopt};
-    auto read = device.read(change.index);
-    outcome.raw = co_await std::move(read).attempt();
+    outcome.raw = co_await device.read(change.index).attempt();
     if (!outcome.raw)
         co_return outcome;
     outcome.verified = change.raw == 0 || *outcome.raw == 0;
@@ -87,13 +85,11 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 {
     const Parameter &parameter = device.parameters().parameter(change.index);
     TransferOutcome outcome{change.index, 0, std::nullopt};
-    auto write = device.write(change.index, change.raw);
-    outcome.raw = co_await std::move(write).attempt();
+    outcome.raw = co_await device.write(change.index, change.raw).attempt();
     if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.afterRestart)
         co_return outcome;
     if (parameter.nature == Nature::Counter) {
-        auto looking = afterClear(device, change);
-        TransferOutcome cleared = co_await std::move(looking);
+        TransferOutcome cleared = co_await afterClear(device, change);
         co_return cleared;
     }
     auto read = device.read(change.index);
@@ -101,8 +97,7 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
     if (back && *back != change.raw && parameter.nature != Nature::Live) {
         Sleep lateAnswers(device.clock(), latestAnswer); // that may have been the answer to an earlier question
         co_await lateAnswers;
-        auto again = device.read(change.index);
-        back = co_await std::move(again).attempt();
+        back = co_await device.read(change.index).attempt();
     }
     if (!back) {
         outcome.raw = fail(back.error());
@@ -128,8 +123,7 @@ Task<std::vector<TransferOutcome>> writeParameters(
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step(say("Writing %1", key), static_cast<int>(outcomes.size()), total);
-        auto task = writeOne(device, change);
-        TransferOutcome outcome = co_await std::move(task);
+        TransferOutcome outcome = co_await writeOne(device, change);
         const bool failed = !outcome.raw; // who asked for it says so
         outcomes.push_back(std::move(outcome));
         if (failed)
@@ -156,8 +150,7 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
     if (device.liveness().moving)
         co_return fail(Fault::Unsafe, say("stop the motors before settings are written again"));
     if (device.liveness().restarted) { // noticed, and nobody has looked at it since
-        auto looking = device.refresh();
-        co_await std::move(looking);
+        co_await device.refresh();
     }
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     const int total = static_cast<int>(lost.size());
@@ -165,8 +158,7 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
         const ParameterChange &change = lost[static_cast<std::size_t>(i)];
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step(say("Writing %1", key), i, total);
-        auto task = writeOne(device, change);
-        const TransferOutcome outcome = co_await std::move(task);
+        const TransferOutcome outcome = co_await writeOne(device, change);
         if (!outcome.raw)
             co_return fail(outcome.raw.error().fault,
                 say("%1 of %2 settings were written again; %3: %4", i, total, key, outcome.raw.error().message()),

@@ -66,8 +66,7 @@ ScanRound::Surroundings Session::aroundScan(Link &link)
 Task<std::vector<Device *>> Session::scan(Link &link, ScanOptions options)
 {
     if (ReplayLink *const recording = replayOf(link)) {
-        auto overhearing = overhear(*recording);
-        co_return co_await std::move(overhearing);
+        co_return co_await overhear(*recording);
     }
     ScanRound round(link, std::move(options), aroundScan(link));
     round.start();
@@ -109,8 +108,7 @@ Error nobody(const DeviceSelector &selector, bool inRecording)
 
 Task<Device *> Session::connect(DeviceSelector selector)
 {
-    auto opening = openLinkSoon(selector.link);
-    Link *const link = co_await std::move(opening);
+    Link *const link = co_await openLinkSoon(selector.link);
     ReplayLink *const recording = replayOf(*link);
     auto looking = recording ? overhear(*recording) : ask(*link, selector);
     const std::vector<Device *> seen = co_await std::move(looking);

@@ -12,8 +12,7 @@ Task<void> standsStill(Device &device)
 {
     if (device.identity().state == DeviceState::Bootloader)
         co_return {};
-    Sleep listening(device.clock(), masterListen);
-    co_await listening;
+    co_await Sleep(device.clock(), masterListen);
     if (device.liveness().foreignMaster)
         co_return fail(
             Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));

@@ -46,8 +46,7 @@ Task<Trial> push(Pushing &pushing, double duty, double seconds)
     plan.limits = pushing.limits;
     if (const double rate = pushing.device.family().trials->currentRate; rate > 0.0)
         plan.rate = rate;
-    auto running = tuning::runExperiment(pushing.device, pushing.stream, plan, pushing.surroundings);
-    co_return co_await std::move(running).attempt();
+    co_return co_await tuning::runExperiment(pushing.device, pushing.stream, plan, pushing.surroundings).attempt();
 }
 
 /// How strong and how long the pushes are, after what the first has shown.
@@ -104,8 +103,7 @@ Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis
 {
     Pushing pushing{device, stream, axis, slot, limits, std::move(surroundings), {}};
     MotorFigures figures;
-    auto probing = push(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
-    const Trial probe = co_await std::move(probing);
+    const Trial probe = co_await push(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
     if (!isEndedWell(probe)) {
         figures.ended = probe;
         co_return figures;

@@ -33,8 +33,7 @@ Result<void> checkState(const Device &device, const Recipe &recipe)
 /// Gains that an experiment tried are no state of a unit that could be backed up, or pass.
 Task<void> checkOwed(Device &device, tuning::ExperimentJournal &trials)
 {
-    auto looking = tuning::lookForOwed(device, trials);
-    const std::vector<tuning::OwedGains> owed = co_await std::move(looking);
+    const std::vector<tuning::OwedGains> owed = co_await tuning::lookForOwed(device, trials);
     if (owed.empty())
         co_return {};
     co_return fail(Fault::Refused, say("trial %1 did not put back what it changed", owed.front().trial),
@@ -46,23 +45,18 @@ Task<void> checkOwed(Device &device, tuning::ExperimentJournal &trials)
 
 Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::ExperimentJournal *trials, Progress &progress)
 {
-    if (auto state = checkState(device, matter.recipe); !state)
-        co_return fail(state.error());
-    auto standing = standsStill(device);
-    co_await std::move(standing);
+    co_await checkState(device, matter.recipe);
+    co_await standsStill(device);
     if (trials && device.identity().state != DeviceState::Bootloader) {
-        auto asking = checkOwed(device, *trials);
-        co_await std::move(asking);
+        co_await checkOwed(device, *trials);
     }
     if (!matter.recipe.firmware) {
-        if (auto offered = checkOffered(device, matter); !offered)
-            co_return fail(offered.error());
+        co_await checkOffered(device, matter);
         co_return {};
     }
     UpdateOptions options = updateOptionsOf(*matter.recipe.firmware);
     options.dryRun = true;
-    auto looking = device.family().update(device, matter.image, options, progress);
-    const UpdateReport report = co_await std::move(looking);
+    const UpdateReport report = co_await device.family().update(device, matter.image, options, progress);
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         co_return {};
     const Fault fault = report.outcome == UpdateOutcome::Refused ? Fault::Unsafe : Fault::Refused;

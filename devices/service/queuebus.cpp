@@ -96,31 +96,25 @@ QueueBus::~QueueBus() = default;
 
 Task<void> QueueBus::run()
 {
-    auto looking = look();
-    co_await std::move(looking);
+    co_await look();
     if (m_run.isOnce()) {
-        auto checking = checkAll();
-        co_await std::move(checking);
+        co_await checkAll();
     }
     while (!m_run.isFinishing() && !m_run.isComplete()) {
         if (m_link.state() != LinkState::Open)
             co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));
         Row *const row = m_run.mayBegin() ? m_rows.next() : nullptr;
         if (row) {
-            auto serving = serve(*row);
-            co_await std::move(serving);
+            co_await serve(*row);
             continue;
         }
         if (m_run.isOnce() && !m_rows.hasWaiting())
             break;
-        Sleep waiting(m_session.clockOf(m_link), lookAgain);
-        co_await waiting;
+        co_await Sleep(m_session.clockOf(m_link), lookAgain);
         if (m_run.isOnce() && !m_rows.isAnyMissing())
             continue;
-        auto again = look();
-        co_await std::move(again);
-        auto ending = giveUpMissing();
-        co_await std::move(ending);
+        co_await look();
+        co_await giveUpMissing();
     }
     co_return {};
 }
@@ -135,8 +129,7 @@ Task<void> QueueBus::look()
     while (!found) {
         if (m_run.isFinishing() || m_rows.isAnyBack() || (m_run.mayBegin() && m_rows.next()))
             co_return {};
-        Sleep waiting(clock, whileLooking);
-        co_await waiting;
+        co_await Sleep(clock, whileLooking);
     }
     if (!*found)
         co_return fail(found->error());
@@ -158,8 +151,7 @@ Task<void> QueueBus::giveUpMissing()
         visit.remedy = say("look at cable and supply; when it answers again it is served from the beginning");
         visit.evidence = visit.cause;
         visit.steps.push_back({visit.step, 0.0, true, visit.cause});
-        auto writing = m_run.around().journal.write(std::move(visit));
-        const Visit written = co_await std::move(writing);
+        const Visit written = co_await m_run.around().journal.write(std::move(visit));
         row.missing = false;
         row.gone = true;
         ended(row, written);
@@ -173,8 +165,7 @@ Task<void> QueueBus::checkAll()
     for (Row &row : m_rows.all()) {
         if (row.shown->state != RowState::Waiting || !row.shown->visit.id.empty())
             continue;
-        auto checking = check(row);
-        co_await std::move(checking);
+        co_await check(row);
     }
     co_return {};
 }
@@ -187,14 +178,12 @@ Task<void> QueueBus::check(Row &row)
     NoProgress unseen;
     row.shown.edit().what = say("Preflight");
     m_run.changed().notify();
-    auto looking = preflight(*device, m_run.matter(), m_run.around().trials, unseen);
-    Result<void> looked = co_await std::move(looking).attempt();
+    Result<void> looked = co_await preflight(*device, m_run.matter(), m_run.around().trials, unseen).attempt();
     if (looked)
         looked = isAlone(row);
     if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
         co_return {}; // its turn will tell
-    auto refusing = refuse(row, *device, looked.error());
-    co_await std::move(refusing);
+    co_await refuse(row, *device, looked.error());
     co_return {};
 }
 
@@ -211,15 +200,13 @@ Task<void> QueueBus::refuse(Row &row, const Device &device, Error error)
 {
     Visit visit = row.shown->visit;
     if (visit.id.empty()) {
-        auto opening = openVisit(row, device);
-        visit = co_await std::move(opening);
+        visit = co_await openVisit(row, device);
     }
     visit.outcome = Outcome::Refused;
     visit.cause = error.detail;
     visit.remedy = error.help();
     visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});
-    auto writing = m_run.around().journal.write(visit);
-    const Visit written = co_await std::move(writing);
+    const Visit written = co_await m_run.around().journal.write(visit);
     ended(row, written);
     co_return {};
 }
@@ -238,8 +225,7 @@ Task<Visit> QueueBus::openVisit(Row &row, const Device &device)
     visit.from = device.identity().firmware;
     visit.simulated = m_link.address().isSimulated();
     visit.station = m_run.options().station;
-    auto opening = m_run.around().journal.open(visit);
-    Visit opened = co_await std::move(opening);
+    Visit opened = co_await m_run.around().journal.open(visit);
     row.shown.edit().visit = opened;
     co_return opened;
 }
@@ -287,8 +273,7 @@ Task<void> QueueBus::serve(Row &row)
     shown.parts.clear();
     ++shown.tries;
     m_run.changed().notify();
-    auto working = serveHere(row, *device);
-    const Result<void> served = co_await std::move(working).attempt();
+    const Result<void> served = co_await serveHere(row, *device).attempt();
     if (served)
         co_return {};
     const bool isSkipped = served.error().fault == Fault::Cancelled;
@@ -303,8 +288,7 @@ Task<void> QueueBus::serve(Row &row)
 Task<void> QueueBus::serveHere(Row &row, Device &device)
 {
     if (auto alone = isAlone(row); !alone) {
-        auto refusing = refuse(row, device, alone.error());
-        co_await std::move(refusing);
+        co_await refuse(row, device, alone.error());
         co_return {};
     }
     Visit visit = row.shown->visit;
@@ -312,13 +296,11 @@ Task<void> QueueBus::serveHere(Row &row, Device &device)
         if (unitByOf(visit.unit)
             == UnitBy::Place) // what is known may be of another that stood there, in whatever queue
             device.knowledge().unitExchanged();
-        auto opening = openVisit(row, device);
-        visit = co_await std::move(opening);
+        visit = co_await openVisit(row, device);
     }
     if (m_wantsSkip) // while the journal took its time
         co_return fail(Fault::Cancelled);
-    auto performing = perform(row, device, std::move(visit));
-    const Visit result = co_await std::move(performing);
+    const Visit result = co_await perform(row, device, std::move(visit));
     ended(row, result);
     co_return {};
 }

@@ -38,8 +38,7 @@ Task<void> QueueRun::recall()
     }
     VisitFilter filter;
     filter.run = m_options.run;
-    auto asking = m_around.journal.visits(std::move(filter));
-    m_earlier = co_await std::move(asking);
+    m_earlier = co_await m_around.journal.visits(std::move(filter));
     for (auto visit = m_earlier.begin(); visit != m_earlier.end(); ++visit) {
         if (!isTriedAgain(*visit, {std::next(visit), m_earlier.end()}))
             change(*visit, 1);

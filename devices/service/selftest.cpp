@@ -89,8 +89,7 @@ Task<Trial> step(
 {
     tuning::ExperimentPlan plan = planOf(test);
     plan.limits = test.limits;
-    auto running = tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings));
-    co_return co_await std::move(running).attempt();
+    co_return co_await tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings)).attempt();
 }
 
 } // namespace
@@ -112,15 +111,13 @@ Task<TestFinding> runSelfTest(
     const auto wanted = [](const Acceptance &limit) { return isFigure(limit.key); };
     const bool identifies = std::ranges::any_of(test.accept, wanted);
     if (identifies) {
-        auto measuring = measureMotor(device, stream, test.axis, test.slot, test.limits, surroundings);
-        figures = co_await std::move(measuring);
+        figures = co_await measureMotor(device, stream, test.axis, test.slot, test.limits, surroundings);
         if (figures.ended) {
             endBy(finding, *figures.ended);
             co_return finding;
         }
     }
-    auto stepping = step(device, stream, test, surroundings);
-    Result<Trial> trial = co_await std::move(stepping).attempt();
+    Result<Trial> trial = co_await step(device, stream, test, surroundings).attempt();
     if (!trial && !identifies)
         co_return fail(trial.error());
     if (!trial) {

@@ -81,8 +81,7 @@ Task<void> UnitRun::serve()
     for (const Entry &entry : order) {
         if (!entry.wanted)
             continue;
-        auto performing = perform(entry.step, entry.work);
-        co_await std::move(performing);
+        co_await perform(entry.step, entry.work);
     }
     co_return {};
 }
@@ -92,15 +91,12 @@ Task<void> UnitRun::perform(Step step, Work work)
 {
     m_visit.step = step;
     m_visit.steps.push_back({step, 0.0, false, {}});
-    auto beginning = write();
-    co_await std::move(beginning);
-    auto working = (this->*work)();
-    const Message detail = co_await std::move(working);
+    co_await write();
+    const Message detail = co_await (this->*work)();
     if (auto same = isSame(); !same) // what comes next must not be done to it
         co_return fail(same.error());
     m_visit.steps.push_back({step, 0.0, true, detail});
-    auto ending = write();
-    co_await std::move(ending);
+    co_await write();
     co_return {};
 }
 
@@ -109,8 +105,7 @@ Task<void> UnitRun::write()
     const auto took = std::chrono::duration<double>(m_device.clock().now() - m_begun);
     m_visit.seconds = m_earlier + took.count();
     m_visit.device = m_device.selector();
-    auto writing = m_around.journal.write(m_visit);
-    Result<Visit> written = co_await std::move(writing).attempt();
+    Result<Visit> written = co_await m_around.journal.write(m_visit).attempt();
     if (!written) {
         m_journalError = written.error();
         co_return fail(written.error());
@@ -147,8 +142,7 @@ Task<void> UnitRun::meet()
 {
     if (!m_device.liveness().restarted || m_device.identity().state == DeviceState::Bootloader)
         co_return {};
-    auto refreshing = m_device.refresh();
-    co_await std::move(refreshing);
+    co_await m_device.refresh();
     if (storesByItself()) {
         auto forgetting = m_device.store(m_progress); // says that the flash of the former one is not proved
         (void)co_await std::move(forgetting).attempt();
@@ -166,12 +160,9 @@ Result<void> UnitRun::isSame() const
 
 Task<Message> UnitRun::look()
 {
-    auto meeting = meet();
-    co_await std::move(meeting);
-    auto looking = preflight(m_device, m_around.matter, m_around.experiments.journal, m_progress);
-    co_await std::move(looking);
-    if (auto same = isSame(); !same)
-        co_return fail(same.error());
+    co_await meet();
+    co_await preflight(m_device, m_around.matter, m_around.experiments.journal, m_progress);
+    co_await isSame();
     const std::string &firmware = m_device.identity().firmware;
     co_return firmware.empty() ? say("no version is told") : say("firmware %1", firmware);
 }
@@ -181,8 +172,7 @@ Task<Message> UnitRun::backUp()
     if (m_device.identity().state == DeviceState::Bootloader)
         co_return say("nothing can be read in the bootloader");
     if (!m_around.settings) {
-        auto reading = readAll();
-        co_await std::move(reading);
+        co_await readAll();
         co_return say("not kept: there is no notebook");
     }
     auto taking = settings::takeSnapshot(
@@ -204,8 +194,7 @@ Task<UpdateReport> UnitRun::runUpdate()
 
 Task<Message> UnitRun::update()
 {
-    auto updating = runUpdate();
-    const UpdateReport report = co_await std::move(updating);
+    const UpdateReport report = co_await runUpdate();
     if (!report.from.empty() || m_visit.from.empty())
         m_visit.from = m_visit.from.empty() ? report.from : m_visit.from;
     m_visit.to = report.to;
@@ -226,8 +215,7 @@ Task<Message> UnitRun::update()
 
 Task<void> UnitRun::readAll()
 {
-    auto reading = readParameters(m_device, readable(m_device), m_progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    const std::vector<TransferOutcome> outcomes = co_await readParameters(m_device, readable(m_device), m_progress);
     for (const TransferOutcome &outcome : outcomes) {
         if (!outcome.raw)
             co_return fail(outcome.raw.error());
@@ -267,8 +255,7 @@ int UnitRun::others() const
 
 Task<Message> UnitRun::setParameters()
 {
-    auto reading = readAll();
-    co_await std::move(reading);
+    co_await readAll();
     if (auto offered = checkOffered(m_device, m_around.matter); !offered) // an update may have changed what it has
         co_return fail(offered.error());
     std::vector<ParameterChange> changes = m_around.matter.parameters;
@@ -285,8 +272,7 @@ Task<Message> UnitRun::setParameters()
     }
     m_wrote = !changes.empty();
     if (m_around.matter.recipe.parameters->store && !storesByItself()) {
-        auto storing = m_device.store(m_progress);
-        co_await std::move(storing);
+        co_await m_device.store(m_progress);
     }
     const auto &wanted = m_around.matter.parameters;
     const auto count = static_cast<int>(wanted.size());
@@ -300,13 +286,11 @@ Task<TestFinding> UnitRun::testOnce()
 {
     const SelfTest &wanted = *m_around.matter.recipe.test;
     tuning::Interruption *const stop = m_around.experiments.interruption;
-    auto asking = m_around.permit->beforeMotion(m_device, wanted, m_progress);
-    co_await std::move(asking);
+    co_await m_around.permit->beforeMotion(m_device, wanted, m_progress);
     if (stop && stop->isRequested())
         co_return fail(Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe"));
     const PermittedMotion turning(*m_around.permit, stop);
-    auto testing = runSelfTest(m_device, m_stream, wanted, m_around.experiments);
-    co_return co_await std::move(testing);
+    co_return co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments);
 }
 
 /// Samples that were lost on the way say nothing of the motor: while the unit answers, the test is done again.
@@ -318,8 +302,7 @@ Task<Message> UnitRun::test()
     TestFinding finding;
     int tries = 0;
     do {
-        auto testing = testOnce();
-        finding = co_await std::move(testing);
+        finding = co_await testOnce();
         ++tries;
     } while (
         finding.failure && finding.failure->fault == Fault::LinkLost && m_device.liveness().heard && tries < mostTests);
@@ -328,8 +311,7 @@ Task<Message> UnitRun::test()
     passed.recipeHash = m_visit.recipeHash;
     passed.outcome = Outcome::Passed;
     passed.simulated = m_visit.simulated;
-    auto asking = m_around.journal.visits(passed);
-    const Result<std::vector<Visit>> others = co_await std::move(asking).attempt();
+    const Result<std::vector<Visit>> others = co_await m_around.journal.visits(passed).attempt();
     const Message unusual = others ? markUnusual(finding.values, *others) : Message();
     m_visit.test = std::move(finding.values);
     m_visit.trial = finding.trial;
@@ -349,12 +331,10 @@ Task<int> UnitRun::reserve()
         family.capabilities.lastAddress, m_around.taken, m_visit.simulated};
     bool hasWaited = false;
     for (;;) {
-        auto asking = m_around.journal.number(wish);
-        const Result<std::optional<int>> number = co_await std::move(asking).attempt();
+        const Result<std::optional<int>> number = co_await m_around.journal.number(wish).attempt();
         if (number && *number) {
             if (hasWaited) { // another may have taken its place
-                auto refreshing = m_device.refresh();
-                co_await std::move(refreshing);
+                co_await m_device.refresh();
             }
             co_return **number;
         }
@@ -369,8 +349,7 @@ Task<int> UnitRun::reserve()
             co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);
         hasWaited = true;
-        auto waiting = standBy();
-        co_await std::move(waiting);
+        co_await standBy();
     }
 }
 
@@ -386,8 +365,7 @@ Task<void> UnitRun::standBy()
         if (isFollowed && m_device.clock().now() - heardAt >= takenOff)
             co_return fail(Fault::Timeout, say("the unit was taken off while it waited for a number"),
                 say("put it on again, and do it again"));
-        Sleep looking(m_device.clock(), lookForUnit);
-        co_await looking;
+        co_await Sleep(m_device.clock(), lookForUnit);
     }
     co_return {};
 }
@@ -395,21 +373,17 @@ Task<void> UnitRun::standBy()
 Task<Message> UnitRun::giveNumber()
 {
     if (!m_visit.number) {
-        auto reserving = reserve();
-        const int number = co_await std::move(reserving);
-        if (auto same = isSame(); !same)
-            co_return fail(same.error());
+        const int number = co_await reserve();
+        co_await isSame();
         m_visit.number = number;
         auto noting = write(); // it is this unit's, whatever happens next
         co_await std::move(noting);
     }
-    if (auto same = isSame(); !same)
-        co_return fail(same.error());
+    co_await isSame();
     const int old = m_device.identity().address;
     m_progress.step(say("Giving it number %1", *m_visit.number), 0, 0);
     if (old != *m_visit.number) {
-        auto moving = m_device.renumber(*m_visit.number);
-        co_await std::move(moving);
+        co_await m_device.renumber(*m_visit.number);
     }
     co_return old == *m_visit.number ? say("number %1, as before", *m_visit.number) : say("number %1", *m_visit.number);
 }
@@ -444,18 +418,14 @@ Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
     if (stores) {
-        auto storing = settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress);
-        if (!co_await std::move(storing))
+        if (!co_await settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress))
             co_return fail(Fault::BadCheck, say("nothing proves that its flash has what was written"),
                 say("switch its supply off and on, then do it again: what is read then comes from its flash"));
     }
-    auto refreshing = m_device.refresh();
-    co_await std::move(refreshing);
-    if (auto same = isSame(); !same)
-        co_return fail(same.error());
+    co_await m_device.refresh();
+    co_await isSame();
     m_visit.to = m_device.identity().firmware;
-    auto reading = readAll();
-    co_await std::move(reading);
+    co_await readAll();
     std::vector<ParameterChange> left = m_around.matter.parameters;
     std::erase_if(left, [this](const ParameterChange &change) {
         return std::ranges::find(m_later, change.index) != m_later.end() || !isMissing(change);
@@ -492,8 +462,7 @@ Task<Visit> UnitRun::conclude(Outcome outcome, Error error)
     if (outcome == Outcome::Passed)
         m_visit.step = Step::Done;
     m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? say("passed") : error.detail});
-    auto writing = write();
-    co_await std::move(writing);
+    co_await write();
     co_return m_visit;
 }
 

@@ -17,8 +17,7 @@ Task<Visit> serveUnit(
     Device &device, SetPointStream &stream, Visit visit, ServiceSurroundings surroundings, Progress &progress)
 {
     UnitRun run(device, stream, std::move(visit), std::move(surroundings), progress);
-    auto serving = run.serve();
-    const Result<void> served = co_await std::move(serving).attempt();
+    const Result<void> served = co_await run.serve().attempt();
     if (!served && served.error().fault == Fault::Cancelled)
         co_return fail(served.error());
     if (run.journalError())

@@ -120,8 +120,7 @@ std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const Se
 
 Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log)
 {
-    auto asking = log.changesOf(unitKeyOf(device));
-    const std::vector<SettingsChange> changes = co_await std::move(asking);
+    const std::vector<SettingsChange> changes = co_await log.changesOf(unitKeyOf(device));
     std::vector<SettingsChange> open = unconfirmed(device.family(), changes);
     for (SettingsChange &change : open)
         std::erase_if(change.values, [&device](const ValueChange &value) { return !mayHave(device, value); });
@@ -136,15 +135,13 @@ Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &lo
     kept.device = device.selector();
     kept.purpose = Purpose::Keep;
     kept.of = number;
-    auto beginning = log.begin(std::move(kept));
-    co_await std::move(beginning);
+    co_await log.begin(std::move(kept));
     co_return {};
 }
 
 Task<bool> putBack(Device &device, std::int64_t number, SettingsLog &log, Progress &progress)
 {
-    auto asking = findUnconfirmed(device, log);
-    const std::vector<SettingsChange> open = co_await std::move(asking);
+    const std::vector<SettingsChange> open = co_await findUnconfirmed(device, log);
     const auto change = std::ranges::find(open, number, &SettingsChange::number);
     if (change == open.end())
         co_return false;
@@ -154,8 +151,7 @@ Task<bool> putBack(Device &device, std::int64_t number, SettingsLog &log, Progre
     for (const ValueChange &value : change->values)
         writes.push_back({*findParameter(device.family().parameters, value.key), *value.before});
     const Order order{Origin::Window, Purpose::Revert, number};
-    auto writing = writeKept(device, std::move(writes), order, &log, progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    const std::vector<TransferOutcome> outcomes = co_await writeKept(device, std::move(writes), order, &log, progress);
     if (!outcomes.empty() && !outcomes.back().raw)
         co_return fail(outcomes.back().raw.error());
     co_return true;

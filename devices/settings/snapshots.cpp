@@ -45,14 +45,12 @@ Task<ParameterSnapshot> takeSnapshot(
     Device &device, Occasion occasion, std::string name, SettingsLog &log, Progress &progress)
 {
     const std::vector<ParameterIndex> indices = readable(device);
-    auto reading = readKept(device, indices, &log, progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    const std::vector<TransferOutcome> outcomes = co_await readKept(device, indices, &log, progress);
     const bool any
         = std::ranges::any_of(outcomes, [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
     if (!outcomes.empty() && !outcomes.back().raw && (outcomes.size() < indices.size() || !any))
         co_return fail(outcomes.back().raw.error());
-    auto keeping = log.keep(describe(device, occasion, std::move(name)));
-    co_return co_await std::move(keeping);
+    co_return co_await log.keep(describe(device, occasion, std::move(name)));
 }
 
 Error keepsNothing(const Error &trouble)

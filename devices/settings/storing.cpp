@@ -42,8 +42,7 @@ Values unstored(const Device &device, const std::vector<SettingsChange> &changes
 /// As if this program had written it: what reads back different was not, or is gone.
 Task<void> recall(Device &device, SettingsLog &log)
 {
-    auto asking = log.changesOf(unitKeyOf(device));
-    const Result<std::vector<SettingsChange>> changes = co_await std::move(asking).attempt();
+    const Result<std::vector<SettingsChange>> changes = co_await log.changesOf(unitKeyOf(device)).attempt();
     if (!changes)
         co_return {}; // who keeps the history tells what is wrong with it
     for (const auto &[key, raw] : unstored(device, *changes)) {
@@ -62,20 +61,16 @@ Task<std::vector<TransferOutcome>> readKept(
     Device &device, std::vector<ParameterIndex> indices, SettingsLog *log, Progress &progress)
 {
     if (log && device.family().capabilities.storesAfter > std::chrono::seconds(0)) {
-        auto recalling = recall(device, *log);
-        co_await std::move(recalling);
+        co_await recall(device, *log);
     }
-    auto reading = readParameters(device, std::move(indices), progress);
-    co_return co_await std::move(reading);
+    co_return co_await readParameters(device, std::move(indices), progress);
 }
 
 Task<bool> storeKept(Device &device, Origin origin, SettingsLog *log, Progress &progress)
 {
-    auto storing = device.store(progress);
-    const bool stored = co_await std::move(storing);
+    const bool stored = co_await device.store(progress);
     if (stored && log) {
-        auto keeping = keepStored(device, origin, *log);
-        (void)co_await std::move(keeping).attempt();
+        (void)co_await keepStored(device, origin, *log).attempt();
     }
     co_return stored;
 }
@@ -87,8 +82,7 @@ Task<void> keepStored(const Device &device, Origin origin, SettingsLog &log)
     change.device = device.selector();
     change.origin = origin;
     change.purpose = Purpose::Store;
-    auto beginning = log.begin(std::move(change));
-    co_await std::move(beginning);
+    co_await log.begin(std::move(change));
     co_return {};
 }
 

@@ -39,8 +39,7 @@ Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<Paramete
     for (const ParameterChange &change : changes) {
         const Parameter &parameter = device.parameters().parameter(change.index);
         if (parameter.access != Access::WriteOnly && !silent) {
-            auto reading = device.read(change.index);
-            const Result<std::int64_t> raw = co_await std::move(reading).attempt();
+            const Result<std::int64_t> raw = co_await device.read(change.index).attempt();
             silent = !raw && (raw.error().fault == Fault::Timeout || raw.error().fault == Fault::LinkLost);
         }
     }
@@ -99,8 +98,7 @@ Task<std::optional<std::int64_t>> beginKept(SettingsLog *log, SettingsChange cha
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
-    auto beginning = log->begin(std::move(change));
-    const Result<std::int64_t> begun = co_await std::move(beginning).attempt();
+    const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
     notKept(progress, begun.error());
@@ -112,8 +110,7 @@ Task<void> completeKept(
 {
     if (!log || !number)
         co_return {};
-    auto completing = log->complete(*number, std::move(values));
-    if (const auto completed = co_await std::move(completing).attempt(); !completed)
+    if (const auto completed = co_await log->complete(*number, std::move(values)).attempt(); !completed)
         notKept(progress, completed.error());
     co_return {};
 }
@@ -133,8 +130,7 @@ std::vector<ParameterChange> writesOf(const Family &family, const std::vector<Va
 Task<void> writeAll(
     Device &device, std::vector<ParameterChange> writes, Order order, SettingsLog &log, Progress &progress)
 {
-    auto writing = writeKept(device, std::move(writes), order, &log, progress);
-    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    const std::vector<TransferOutcome> outcomes = co_await writeKept(device, std::move(writes), order, &log, progress);
     if (!outcomes.empty() && !outcomes.back().raw)
         co_return fail(outcomes.back().raw.error());
     co_return {};
@@ -142,8 +138,7 @@ Task<void> writeAll(
 
 Task<HistoryView> historyOf(const Device &device, SettingsLog &log)
 {
-    auto asking = log.changesOf(unitKeyOf(device));
-    const std::vector<SettingsChange> changes = co_await std::move(asking);
+    const std::vector<SettingsChange> changes = co_await log.changesOf(unitKeyOf(device));
     co_return viewOf(device.family(), changes);
 }
 
@@ -155,10 +150,8 @@ Task<void> keepWritten(const Device &device, std::vector<ValueChange> values, Or
         co_return {};
     SettingsChange change = changeOf(device, {origin});
     change.values = values;
-    auto beginning = log.begin(std::move(change));
-    const std::int64_t number = co_await std::move(beginning);
-    auto completing = log.complete(number, std::move(values));
-    co_await std::move(completing);
+    const std::int64_t number = co_await log.begin(std::move(change));
+    co_await log.complete(number, std::move(values));
     co_return {};
 }
 
@@ -169,15 +162,11 @@ Task<std::vector<TransferOutcome>> writeKept(
 {
     SettingsChange change = changeOf(device, order);
     if (log && !changes.empty()) {
-        auto looking = valuesBefore(device, changes);
-        change.values = co_await std::move(looking);
+        change.values = co_await valuesBefore(device, changes);
     }
-    auto beginning = beginKept(log, change, progress);
-    const std::optional<std::int64_t> number = co_await std::move(beginning);
-    auto writing = writeParameters(device, std::move(changes), progress);
-    std::vector<TransferOutcome> outcomes = co_await std::move(writing);
-    auto completing = completeKept(log, number, judged(device, change.values, outcomes), progress);
-    co_await std::move(completing);
+    const std::optional<std::int64_t> number = co_await beginKept(log, change, progress);
+    std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);
+    co_await completeKept(log, number, judged(device, change.values, outcomes), progress);
     co_return outcomes;
 }
 
@@ -190,8 +179,7 @@ Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes
     }
     if (!readable.empty()) {
         NoProgress unseen;
-        auto reading = readParameters(device, std::move(readable), unseen);
-        (void)co_await std::move(reading).attempt();
+        (void)co_await readParameters(device, std::move(readable), unseen).attempt();
     }
     Numbers known;
     for (const ParameterChange &change : changes) {
@@ -216,8 +204,7 @@ Task<void> keepReplaced(const Device &device, Numbers before, Origin origin, Set
         const Proof proof = parameter.access == Access::WriteOnly ? Proof::Blind : Proof::Equal;
         values.push_back({key, raw ? std::optional(*raw) : std::nullopt, *now, proof});
     }
-    auto keeping = keepWritten(device, std::move(values), origin, log);
-    co_await std::move(keeping);
+    co_await keepWritten(device, std::move(values), origin, log);
     co_return {};
 }
 
@@ -227,14 +214,11 @@ Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress 
     for (const ParameterChange &lost : lostSettings(device.family(), device.knowledge().profile()))
         change.values.push_back(
             {std::string(device.parameters().parameter(lost.index).key), std::nullopt, lost.raw, Proof::Open});
-    auto beginning = beginKept(log, change, progress);
-    const std::optional<std::int64_t> number = co_await std::move(beginning);
-    auto writing = rewriteSettings(device, progress);
-    const int written = co_await std::move(writing);
+    const std::optional<std::int64_t> number = co_await beginKept(log, change, progress);
+    const int written = co_await rewriteSettings(device, progress);
     for (ValueChange &value : change.values)
         value.proof = Proof::Blind;
-    auto completing = completeKept(log, number, std::move(change.values), progress);
-    co_await std::move(completing);
+    co_await completeKept(log, number, std::move(change.values), progress);
     co_return written;
 }
 
@@ -242,16 +226,13 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
 {
     SettingsChange change = changeOf(device, {origin});
     change.values.push_back({std::string(numberKey), device.identity().address, number, Proof::Open});
-    auto beginning = beginKept(log, change, progress);
-    const std::optional<std::int64_t> kept = co_await std::move(beginning);
-    auto renumbering = device.renumber(number);
-    const Result<void> renumbered = co_await std::move(renumbering).attempt();
+    const std::optional<std::int64_t> kept = co_await beginKept(log, change, progress);
+    const Result<void> renumbered = co_await device.renumber(number).attempt();
     if (renumbered)
         change.values.front().proof = device.identity().address == number ? Proof::Equal : Proof::Blind;
     else if (changedNothing(renumbered.error().fault))
         change.values.front().proof = Proof::Refused;
-    auto completing = completeKept(log, kept, std::move(change.values), progress);
-    co_await std::move(completing);
+    co_await completeKept(log, kept, std::move(change.values), progress);
     if (!renumbered)
         co_return fail(renumbered.error());
     co_return {};
@@ -259,8 +240,7 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
 
 Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
 {
-    auto looking = historyOf(device, log);
-    const HistoryView history = co_await std::move(looking);
+    const HistoryView history = co_await historyOf(device, log);
     if (!history.undo)
         co_return fail(Fault::Refused, say("the history of %1 has nothing to undo", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
@@ -272,8 +252,7 @@ Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progr
 
 Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
 {
-    auto looking = historyOf(device, log);
-    const HistoryView history = co_await std::move(looking);
+    const HistoryView history = co_await historyOf(device, log);
     if (!history.redo)
         co_return fail(Fault::Refused, say("the history of %1 has nothing to do again", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.redo),
@@ -285,8 +264,7 @@ Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progr
 
 Task<int> noticeForeign(const Device &device, SettingsLog &log)
 {
-    auto looking = historyOf(device, log);
-    const HistoryView history = co_await std::move(looking);
+    const HistoryView history = co_await historyOf(device, log);
     std::vector<ValueChange> values;
     for (const auto &[key, raw] : history.values) {
         const auto index = findParameter(device.family().parameters, key);
@@ -295,8 +273,7 @@ Task<int> noticeForeign(const Device &device, SettingsLog &log)
             values.push_back({key, raw, *known, Proof::Equal});
     }
     const int count = static_cast<int>(values.size());
-    auto keeping = keepWritten(device, std::move(values), Origin::Elsewhere, log);
-    co_await std::move(keeping);
+    co_await keepWritten(device, std::move(values), Origin::Elsewhere, log);
     co_return count;
 }
 

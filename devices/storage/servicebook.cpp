@@ -89,13 +89,10 @@ Task<std::optional<int>> ServiceBook::number(NumberWish wish)
         if (*given)
             co_return *given;
         const std::string token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-        const auto block = takeBlock(m_database, token, wish, numbersInBlock, m_station, now());
-        if (!block)
-            co_return fail(block.error());
-        if (block->isEmpty())
+        const auto block = co_await takeBlock(m_database, token, wish, numbersInBlock, m_station, now());
+        if (block.isEmpty())
             co_return std::nullopt;
-        if (auto kept = keepBlock(m_database, wish.scope, *block); !kept)
-            co_return fail(kept.error());
+        co_await keepBlock(m_database, wish.scope, block);
     }
 }
 

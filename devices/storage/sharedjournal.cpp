@@ -35,16 +35,14 @@ SharedJournal::SharedJournal(ServiceBook &book, JournalServer server, Clock &clo
 
 Task<Visit> SharedJournal::open(Visit visit)
 {
-    auto opening = m_book.open(std::move(visit));
-    Visit opened = co_await std::move(opening);
+    Visit opened = co_await m_book.open(std::move(visit));
     deliverSoon();
     co_return opened;
 }
 
 Task<Visit> SharedJournal::write(Visit visit)
 {
-    auto writing = m_book.write(std::move(visit));
-    Visit written = co_await std::move(writing);
+    Visit written = co_await m_book.write(std::move(visit));
     deliverSoon();
     co_return written;
 }
@@ -75,15 +73,11 @@ Task<void> SharedJournal::deliver()
 {
     for (;;) {
         m_isBehind = false;
-        const auto batch = undelivered(m_book.database(), m_server.url(), batchSize);
-        if (!batch)
-            co_return fail(batch.error());
-        if (batch->empty())
+        const auto batch = co_await undelivered(m_book.database(), m_server.url(), batchSize);
+        if (batch.empty())
             co_return {};
-        auto delivering = deliverBatch(*batch);
-        co_await std::move(delivering);
-        if (auto marked = markDelivered(m_book.database(), m_server.url(), *batch); !marked)
-            co_return fail(marked.error());
+        co_await deliverBatch(batch);
+        co_await markDelivered(m_book.database(), m_server.url(), batch);
         m_changed.notify();
     }
 }
@@ -162,8 +156,7 @@ Task<std::optional<int>> SharedJournal::recalled(NumberWish wish, std::string he
 Task<std::optional<int>> SharedJournal::number(NumberWish wish)
 {
     if (wish.simulated) {
-        auto own = m_book.number(std::move(wish));
-        co_return co_await std::move(own);
+        co_return co_await m_book.number(std::move(wish));
     }
     SqlConnection &sql = m_book.database();
     NumberWish local = wish;
@@ -177,8 +170,7 @@ Task<std::optional<int>> SharedJournal::number(NumberWish wish)
         if (*given)
             co_return *given;
     }
-    auto recalling = recalled(wish, local.scope);
-    if (const std::optional<int> known = co_await std::move(recalling))
+    if (const std::optional<int> known = co_await recalled(wish, local.scope))
         co_return *known;
     for (;;) {
         const auto given = giveNumber(sql, local);

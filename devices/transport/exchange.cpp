@@ -8,8 +8,7 @@ Task<CanFrame> exchange(CanLink &link, Clock &clock, CanFrame request, CanInbox:
     CanInbox inbox(link, clock, std::move(match));
     Error last{Fault::Timeout, say("no answer")};
     for (int i = 0; i < link.settings().patience.tries(attempts.tries); ++i) {
-        if (auto sent = link.send(request); !sent)
-            co_return fail(sent.error());
+        co_await link.send(request);
         Result<CanFrame> reply = co_await inbox.next(link.settings().patience.answer(attempts.timeout));
         if (reply)
             co_return *reply;

@@ -94,8 +94,7 @@ Task<void> Link::openSoon()
     if (auto begun = beginOpening(); !begun)
         co_return begun;
     const int attempt = m_attempt;
-    auto opening = doOpenSoon(*m_settings.background);
-    const Result<void> opened = co_await std::move(opening).attempt();
+    const Result<void> opened = co_await doOpenSoon(*m_settings.background).attempt();
     if (!opened)
         co_return fail(opened.error());
     if (attempt != m_attempt) {

@@ -57,13 +57,10 @@ Result<void> SerialLink::setBaudrate(int baudrate)
 
 Task<void> SerialLink::setBaudrateSoon(int baudrate)
 {
-    const auto isNew = isNewRate(baudrate);
-    if (!isNew)
-        co_return fail(isNew.error());
-    if (*isNew && state() == LinkState::Open && settings().background) {
+    const auto isNew = co_await isNewRate(baudrate);
+    if (isNew && state() == LinkState::Open && settings().background) {
         m_isRateInDoubt = true; // whoever waits for it may go away
-        auto setting = doSetBaudrateSoon(*settings().background, baudrate);
-        co_await std::move(setting);
+        co_await doSetBaudrateSoon(*settings().background, baudrate);
     } else if (auto set = setBaudrate(baudrate); !set) {
         co_return fail(set.error());
     }

@@ -23,13 +23,11 @@ constexpr double allowedOvershoot = 0.05; ///< of where a loop comes to rest
 Task<void> model(AutotuneRun &run, const TunePlan &plan)
 {
     if (plan.known) {
-        auto recalling = run.recall();
-        co_await std::move(recalling);
+        co_await run.recall();
         co_return {};
     }
     const auto identification = identificationOf(run.device().family(), plan.loop);
-    auto identifying = identification->identify(run);
-    co_await std::move(identifying);
+    co_await identification->identify(run);
     co_return {};
 }
 
@@ -37,16 +35,14 @@ Task<void> model(AutotuneRun &run, const TunePlan &plan)
 Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
     for (bool again = true; again;) {
-        auto proving = proof.prove();
-        co_await std::move(proving);
+        co_await proof.prove();
         again = !run.isOver() && run.report().result == TuneResult::RolledBack;
         if (again && run.left() < proof.leastSeconds()) {
             run.report().evidence = joined(run.report().evidence, say("no time was left to prove others"));
             again = false;
         }
         if (again) {
-            auto reconsidering = design.reconsider();
-            again = co_await std::move(reconsidering);
+            again = co_await design.reconsider();
         }
     }
     co_return {};
@@ -55,8 +51,7 @@ Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 /// Beside what was proven before; the better of the two is left.
 Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
-    auto proving = proof.prove();
-    co_await std::move(proving);
+    co_await proof.prove();
     const TuneReport &report = run.report();
     const bool isLossy = report.stopReason == toString(Guard::Link) && report.stopped && run.device().liveness().heard;
     if (isLossy || report.stopReason == toString(Guard::Oscillation)) {
@@ -72,17 +67,14 @@ Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
     if (design.recallFormer(proof.seconds())) {
-        auto comparing = proveBeside(run, design, proof);
-        co_await std::move(comparing);
+        co_await proveBeside(run, design, proof);
         if (run.isOver())
             co_return {};
     }
     while (!run.isOver()) {
-        auto sharpening = design.sharpen(proof.seconds());
-        if (!co_await std::move(sharpening))
+        if (!co_await design.sharpen(proof.seconds()))
             break;
-        auto proving = proveBeside(run, design, proof);
-        co_await std::move(proving);
+        co_await proveBeside(run, design, proof);
     }
     co_return {};
 }
@@ -104,23 +96,19 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
     const bool searches = !checkScales(run.device(), plan.loop);
     if ((searches || !plan.propose) && !plan.keep) {
-        if (auto back = checkAllPutBack(run.device(), plan, searches); !back)
-            co_return fail(back.error());
+        co_await checkAllPutBack(run.device(), plan, searches);
     }
     if (searches) {
-        auto finding = findScales(run);
-        co_await std::move(finding);
+        co_await findScales(run);
         run.beginClock();
     }
     if (run.isOver())
         co_return {};
-    auto modelling = model(run, plan);
-    co_await std::move(modelling);
+    co_await model(run, plan);
     if (run.isOver())
         co_return {};
     TuneDesign design(run);
-    auto proposing = design.propose();
-    co_await std::move(proposing);
+    co_await design.propose();
     if (plan.propose) {
         auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
         run.report().before = co_await std::move(reading);
@@ -133,16 +121,13 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
         co_return {};
     }
     TuneProof proof(run, design);
-    auto proving = proveAny(run, design, proof);
-    co_await std::move(proving);
+    co_await proveAny(run, design, proof);
     if (run.isOver() || run.report().result == TuneResult::RolledBack)
         co_return {};
-    auto sharpening = sharpen(run, design, proof);
-    co_await std::move(sharpening);
+    co_await sharpen(run, design, proof);
     if (run.isOver())
         co_return {};
-    auto keeping = proof.keep();
-    co_await std::move(keeping);
+    co_await proof.keep();
     co_return {};
 }
 
@@ -233,14 +218,12 @@ Result<void> checkTuning(const Family &family, const TunePlan &plan)
 
 Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings)
 {
-    if (auto possible = checkTuning(device.family(), plan); !possible)
-        co_return fail(possible.error());
+    co_await checkTuning(device.family(), plan);
     if (auto known = checkScales(device, plan.loop); !known && !scaleExperimentOf(device.family()))
         co_return fail(known.error());
     const Instant begin = device.clock().now();
     AutotuneRun run(device, stream, plan, surroundings);
-    auto performing = perform(run, plan);
-    const Result<void> performed = co_await std::move(performing).attempt();
+    const Result<void> performed = co_await perform(run, plan).attempt();
     TuneReport &report = run.report();
     if (!performed) {
         if (!run.hasMoved() && !run.user().isRequested())
@@ -255,8 +238,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     report.unit = unitKeyOf(device);
     report.firmware = device.identity().firmware;
     if (surroundings.journal) {
-        auto keeping = surroundings.journal->keepTuning(report);
-        if (const auto kept = co_await std::move(keeping).attempt(); !kept)
+        if (const auto kept = co_await surroundings.journal->keepTuning(report).attempt(); !kept)
             surroundings.caution(say("the tuning is not in the notebook: %1", kept.error().message()));
     }
     co_return std::move(report);

@@ -45,8 +45,7 @@ void AutotuneRun::note(const Message &text) const
 Task<void> AutotuneRun::keepBefore()
 {
     if (const auto before = std::exchange(m_around.before, {})) {
-        auto keeping = before();
-        co_await std::move(keeping);
+        co_await before();
     }
     co_return {};
 }
@@ -59,8 +58,7 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     plan.limits = m_plan.limits;
     plan.limits.travel = travelOfPlan();
     plan.announced = m_gain;
-    auto running = runExperiment(m_device, m_stream, plan, m_around);
-    Trial trial = co_await std::move(running);
+    Trial trial = co_await runExperiment(m_device, m_stream, plan, m_around);
     m_around.before = {}; // it was called by the first that moved
     m_moved = true;
     if (trial.number)
@@ -72,8 +70,7 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
         m_here = position->trace.y.back() + (counted ? m_here : 0.0); // each counts from its own start
     }
     m_report.stopped = trial.stopped || m_device.isSeenStopped();
-    if (auto ended = judgeEnding(trial); !ended)
-        co_return fail(ended.error());
+    co_await judgeEnding(trial);
     co_return trial;
 }
 
@@ -104,8 +101,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
 {
     for (int again = 0;; ++again) {
         const double before = m_here;
-        auto running = runOnce(plan);
-        Trial trial = co_await std::move(running);
+        Trial trial = co_await runOnce(plan);
         const bool lossy = trial.reason == toString(Guard::Link) && m_report.stopped && m_device.liveness().heard;
         if (!lossy || again == mostRepeats)
             co_return trial;
@@ -204,8 +200,7 @@ Task<void> AutotuneRun::recall()
         co_return fail(
             Fault::Timeout, say("%1 has not told where it stands", m_device.selector()), say("wait until it is heard"));
     lookWhere();
-    auto reading = readEnvelope();
-    co_await std::move(reading);
+    co_await readEnvelope();
     co_return {};
 }
 
@@ -222,8 +217,7 @@ void AutotuneRun::lookWhere()
 /// From where the motor stands.
 Task<void> AutotuneRun::readEnvelope()
 {
-    auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
-    const Envelope own = co_await std::move(reading);
+    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
     const auto resolved = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);
     if (!resolved)
         co_return fail(resolved.error());

@@ -191,12 +191,10 @@ double currentNoise(const std::vector<Trial> &pushes)
 
 Task<void> CurrentIdentification::identify(AutotuneRun &run)
 {
-    auto probing = probe(run);
-    co_await std::move(probing);
+    co_await probe(run);
     if (run.isOver())
         co_return {};
-    auto pushing = push(run);
-    co_await std::move(pushing);
+    co_await push(run);
     if (run.isOver())
         co_return {};
     co_return conclude(run);
@@ -205,8 +203,7 @@ Task<void> CurrentIdentification::identify(AutotuneRun &run)
 /// Pushes that grow until the current is clear of its noise, and end well below its limit.
 Task<void> CurrentIdentification::probe(AutotuneRun &run)
 {
-    auto reading = run.readEnvelope();
-    co_await std::move(reading);
+    co_await run.readEnvelope();
     const double most = std::min(mostForce, run.envelope().duty.value_or(1.0));
     const double room = currentRoom * run.envelope().current.value_or(1e3);
     for (double duty = std::min(firstForce, most);; duty = std::min(moreEachTime * duty, most)) {

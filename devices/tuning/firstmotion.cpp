@@ -58,8 +58,7 @@ private:
 Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
 {
     for (int again = 0;; ++again) {
-        auto running = run.run(plan);
-        const Result<Trial> ran = co_await std::move(running).attempt();
+        const Result<Trial> ran = co_await run.run(plan).attempt();
         if (!ran)
             co_return fail(ran.error());
         const bool hasBegun = ran->reason == "done" || !ran->holds.empty();

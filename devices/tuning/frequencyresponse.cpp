@@ -183,8 +183,7 @@ Task<FrequencyResponse> measureFrequencyResponse(
         if (surroundings.note)
             surroundings.note(say("sine %1 of %2, %3 Hz: %4", ++number, plan.hertz.size(),
                 std::round(100.0 * hertz) / 100.0, announcementOf(plan)));
-        auto running = runExperiment(device, stream, sine, surroundings);
-        const Result<Trial> trial = co_await std::move(running).attempt();
+        const Result<Trial> trial = co_await runExperiment(device, stream, sine, surroundings).attempt();
         if (!trial && response.trials.empty())
             co_return fail(trial.error());
         if (!trial) {

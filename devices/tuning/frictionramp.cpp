@@ -62,8 +62,7 @@ Task<void> FrictionRamp::run(AutotuneRun &run, MotorFound &found)
     for (const bool forward : {true, false}) {
         AutotuneRun::Push push{forward ? m_top : -m_top, rampSeconds};
         push.grows = true;
-        auto pushing = run.push(push);
-        const Trial trial = co_await std::move(pushing);
+        const Trial trial = co_await run.push(push);
         if (run.isOver())
             co_return {};
         ways[forward ? 0 : 1] = readRamp(trial, motor);

@@ -294,8 +294,7 @@ Task<std::vector<Result<Proposal>>> designed(Device &device, ProposalBasis basis
             designs.push_back(proposalFor(own, wish));
         return designs;
     };
-    auto designing = aside<Designs>(device, work);
-    co_return co_await std::move(designing).attempt();
+    co_return co_await aside<Designs>(device, work).attempt();
 }
 
 } // namespace mb::tuning

@@ -86,8 +86,7 @@ Task<void> askForEdges(Device &device)
     const auto index = findParameter(device.family().parameters, device.family().loop->velocityEdges);
     if (!index || device.parameters().entry(*index).raw)
         co_return {};
-    auto reading = device.read(*index);
-    co_await std::move(reading);
+    co_await device.read(*index);
     co_return {};
 }
 
@@ -95,40 +94,32 @@ Task<void> askForEdges(Device &device)
 
 Task<void> PushIdentification::identify(AutotuneRun &run)
 {
-    auto probing = probe(run);
-    co_await std::move(probing);
+    co_await probe(run);
     if (run.isOver())
         co_return {};
     if (m_isNarrow) {
         run.note(say("there is no room for pushes that last"));
         RelayIdentification relay;
-        auto swinging = relay.identify(run, m_probed);
-        co_await std::move(swinging);
+        co_await relay.identify(run, m_probed);
         co_return {};
     }
-    auto pushing = push(run);
-    co_await std::move(pushing);
+    co_await push(run);
     if (run.isOver())
         co_return {};
-    auto asking = askForEdges(run.device());
-    co_await std::move(asking);
-    auto found = tuning::identify(m_pushes);
-    if (!found)
-        co_return fail(found.error());
+    co_await askForEdges(run.device());
+    auto found = co_await tuning::identify(m_pushes);
     FrictionRamp ramp(m_duty, m_held);
-    auto ramping = ramp.run(run, *found);
-    co_await std::move(ramping);
+    co_await ramp.run(run, found);
     if (run.isOver())
         co_return {};
-    co_return conclude(run, std::move(*found));
+    co_return conclude(run, std::move(found));
 }
 
 /// Pushes that grow until the motor turns.
 Task<void> PushIdentification::probe(AutotuneRun &run)
 {
     if (const auto &speed = run.plan().limits.speed) {
-        auto feeling = feelSpeed(run, *speed);
-        co_await std::move(feeling);
+        co_await feelSpeed(run, *speed);
         if (run.isOver())
             co_return {};
     }
@@ -155,8 +146,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
     }
     if (run.isOver())
         co_return {};
-    auto measuring = measureOut(run, std::move(trial));
-    co_await std::move(measuring);
+    co_await measureOut(run, std::move(trial));
     if (m_duty >= leastDuty() || m_seconds <= longestPush)
         co_return checkRoom(run);
     auto again = run.push({m_probed, probeSeconds, 1, reachOf(run)}); // a lag without end is that of a lost order
@@ -164,8 +154,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
     if (run.isOver())
         co_return {};
     if (!pushesOf(trial).empty()) {
-        auto measuringAgain = measureOut(run, std::move(trial));
-        co_await std::move(measuringAgain);
+        co_await measureOut(run, std::move(trial));
     }
     co_return checkRoom(run);
 }
@@ -202,23 +191,21 @@ Task<void> PushIdentification::feelSpeed(AutotuneRun &run, double allowed)
 Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
 {
     const std::vector<PushRecord> seen = pushesOf(trial);
-    const auto fit = fitPushes(seen);
-    if (!fit)
-        co_return fail(fit.error());
+    const auto fit = co_await fitPushes(seen);
     auto reading = run.readEnvelope(); // anew: some devices get a limit with their first motion
     co_await std::move(reading);
     const Envelope &envelope = run.envelope();
-    m_speed = std::abs(fit->speeds.front());
+    m_speed = std::abs(fit.speeds.front());
     const double gain = speedReserve * m_speed / std::abs(seen.front().duty); // counts/s per duty, at most
     m_duty = std::min(std::max(strongest, overBreakaway * seen.front().duty), nearlyFull * envelope.duty.value_or(1.0));
     run.expect(mostOfFriction * m_speed / std::abs(seen.front().duty));
     if (envelope.speed)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);
-    m_seconds = std::min(std::max({taus * fit->tau, samplesOfPush * period, probeSeconds}), longestPush);
+    m_seconds = std::min(std::max({taus * fit.tau, samplesOfPush * period, probeSeconds}), longestPush);
     if (envelope.travel) {
         const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
-        const double shortest = std::max(leastTaus * fit->tau, samplesOfPush * period);
+        const double shortest = std::max(leastTaus * fit.tau, samplesOfPush * period);
         m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
         m_duty = std::min(m_duty, room / (gain * m_seconds));
     }

@@ -39,15 +39,12 @@ double travelOf(const AutotuneRun &run)
 
 Task<void> RelayIdentification::identify(AutotuneRun &run, double duty)
 {
-    auto pushing = push(run, duty);
-    co_await std::move(pushing);
+    co_await push(run, duty);
     if (run.isOver())
         co_return {};
-    if (auto read = readPushes(); !read)
-        co_return fail(read.error());
+    co_await readPushes();
     m_plant.delay += passesOfLoop * run.device().family().loop->cycle;
-    auto swinging = swing(run);
-    co_await std::move(swinging);
+    co_await swing(run);
     co_return {};
 }
 

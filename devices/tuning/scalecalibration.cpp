@@ -67,8 +67,7 @@ Task<void> search(AutotuneRun &run, const Experiment &experiment, const Experime
     }
     recorder.guard(guardsOf(run));
     NotingProgress progress(run);
-    auto searching = experiment.run(device, run.stream(), options, progress);
-    co_await std::move(searching);
+    co_await experiment.run(device, run.stream(), options, progress);
     co_return {};
 }
 
@@ -85,11 +84,9 @@ Task<void> findScales(AutotuneRun &run)
 {
     Device &device = run.device();
     const Experiment &experiment = *scaleExperimentOf(device.family());
-    if (auto allowed = device.mayMove(); !allowed)
-        co_return fail(allowed.error());
+    co_await device.mayMove();
     run.lookWhere();
-    auto reading = run.readEnvelope();
-    co_await std::move(reading);
+    co_await run.readEnvelope();
     ExperimentOptions options;
     options.axis = run.plan().axis;
     options.power = std::min(experiment.power, run.envelope().duty.value_or(experiment.power));
@@ -100,12 +97,10 @@ Task<void> findScales(AutotuneRun &run)
     extent.duty = options.power;
     run.note(textOf(extent));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
-    auto beginning = run.keepBefore();
-    co_await std::move(beginning);
+    co_await run.keepBefore();
     run.setMoved();
     std::optional<Trip> trip;
-    auto searching = search(run, experiment, options, recorder, trip);
-    const Result<void> found = co_await std::move(searching).attempt();
+    const Result<void> found = co_await search(run, experiment, options, recorder, trip).attempt();
     recorder.unguard();
     auto stopping = confirmStop(device);
     run.report().stopped = co_await std::move(stopping);

@@ -69,8 +69,7 @@ Task<void> TuneDesign::propose()
     std::vector<ProposalWish> wishes;
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
         wishes.push_back(wishFor(aim));
-    auto designing = designed(m_run.device(), basis(), wishes);
-    std::vector<Result<Proposal>> proposals = co_await std::move(designing);
+    std::vector<Result<Proposal>> proposals = co_await designed(m_run.device(), basis(), wishes);
     for (std::size_t i = 0; i < wishes.size(); ++i) {
         auto &proposal = proposals.at(i);
         const bool asked = wishes[i].aim == m_plan.aim;
@@ -109,12 +108,10 @@ Task<bool> TuneDesign::reconsider()
     const std::string_view aim = toString(m_plan.aim);
     const bool isSeen = m_run.report().predicted->shape.windowCounts == 0.0; // else its edges hide what play does
     if (!std::exchange(m_refined, true) && isSeen) {
-        auto correcting = corrected();
-        const std::optional<PlantModel> plant = co_await std::move(correcting);
+        const std::optional<PlantModel> plant = co_await corrected();
         bool proposed = false;
         if (plant) {
-            auto proposing = proposeOn(*plant);
-            proposed = co_await std::move(proposing);
+            proposed = co_await proposeOn(*plant);
         }
         if (proposed) {
             m_before = say("the %1 gains of the first model did not: %2", Message::label(aim), why);
@@ -145,8 +142,7 @@ Task<bool> TuneDesign::sharpen(double seconds)
         > 0.0) // counted over so few edges, it does not show what play and steps do to the shaft
         co_return false;
     m_held = report;
-    auto improving = improved();
-    if (!co_await std::move(improving)) {
+    if (!co_await improved()) {
         goBack();
         co_return false;
     }
@@ -159,14 +155,12 @@ Task<bool> TuneDesign::improved()
 {
     if (std::exchange(m_isProven, true) && !std::exchange(m_isBettered, false))
         co_return false;
-    auto correcting = corrected();
-    const std::optional<PlantModel> plant = co_await std::move(correcting);
+    const std::optional<PlantModel> plant = co_await corrected();
     if (m_plan.loop != Mode::Current)
         m_steepest = std::max(m_steepest, m_held->plant.gain / m_held->plant.tau);
     if (!plant && m_plan.loop == Mode::Current)
         co_return false; // what is not known of its winding has cost it nothing that less caution would give back
-    auto proposing = proposeOn(plant.value_or(m_held->plant));
-    if (!co_await std::move(proposing))
+    if (!co_await proposeOn(plant.value_or(m_held->plant)))
         co_return false;
     const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_step);
     const TuneReport &report = m_run.report();
@@ -311,8 +305,7 @@ Task<bool> TuneDesign::proposeOn(PlantModel plant)
     TuneReport &report = m_run.report();
     const PlantModel first = std::exchange(report.plant, plant);
     std::vector<Proposal> proposals = std::exchange(report.proposals, {});
-    auto proposing = propose();
-    const Result<void> proposed = co_await std::move(proposing).attempt();
+    const Result<void> proposed = co_await propose().attempt();
     if (!proposed) {
         report.plant = first;
         report.proposals = std::move(proposals);

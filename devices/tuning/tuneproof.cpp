@@ -208,8 +208,7 @@ Task<void> TuneProof::prove()
     TuneReport &report = m_run.report();
     if (!std::exchange(m_isRead, true)) { // later those of a proposal may be in force
         const TunePlan &plan = m_run.plan();
-        auto reading = readGains(m_run.device(), plan.loop, plan.axis, plan.slot);
-        report.before = co_await std::move(reading);
+        report.before = co_await readGains(m_run.device(), plan.loop, plan.axis, plan.slot);
         const bool unknown
             = std::ranges::any_of(report.before, [](const auto &gain) { return !gain.second.has_value(); });
         m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
@@ -226,8 +225,7 @@ Task<void> TuneProof::prove()
             report.evidence = withDerivative(report.evidence);
         if (m_run.isOver())
             co_return {};
-        if (const auto timed = checkPass(); !timed)
-            co_return fail(timed.error());
+        co_await checkPass();
         const Message wrong = shortcoming();
         if (!wrong.empty()) { // what fails one way needs no proof the other way
             report.result = TuneResult::RolledBack;
@@ -253,15 +251,12 @@ Task<void> TuneProof::write()
     const bool owes = journal && !report.trials.empty() && !m_mayStay;
     std::vector<OwedValue> before;
     if (owes) {
-        auto reading = readReplaced(device, changes);
-        before = co_await std::move(reading);
-        auto owing = journal->owe(report.trials.back(), unitKeyOf(device), before);
-        co_await std::move(owing);
+        before = co_await readReplaced(device, changes);
+        co_await journal->owe(report.trials.back(), unitKeyOf(device), before);
     }
     Result<void> written = m_run.user().mayGoOn();
     if (written) {
-        auto writing = writeGains(device, changes);
-        written = co_await std::move(writing).attempt();
+        written = co_await writeGains(device, changes).attempt();
     }
     if (written && owes)
         written = m_run.user().mayGoOn();
@@ -275,8 +270,7 @@ Task<void> TuneProof::write()
     for (const ParameterChange &change : changes)
         keys.emplace_back(device.parameters().parameter(change.index).key);
     if (journal) {
-        auto releasing = journal->release(unitKeyOf(device), std::move(keys));
-        if (const auto released = co_await std::move(releasing).attempt(); !released) {
+        if (const auto released = co_await journal->release(unitKeyOf(device), std::move(keys)).attempt(); !released) {
             m_unreleased = say("the notebook may offer to put back what was there before: %1", released.error().detail);
             m_run.around().caution(m_unreleased);
         }
@@ -313,8 +307,7 @@ Task<void> TuneProof::takeBack(std::vector<OwedValue> before, Error cause)
 Task<void> TuneProof::keep()
 {
     TuneReport &report = m_run.report();
-    auto writing = write();
-    co_await std::move(writing);
+    co_await write();
     report.result = TuneResult::Kept;
     report.notPutBack = {};
     const Capabilities &can = m_run.device().family().capabilities;

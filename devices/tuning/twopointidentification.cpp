@@ -67,32 +67,26 @@ ExperimentPlan asItIs(const AutotuneRun &run, double counts, double seconds)
 
 Task<void> TwoPointIdentification::identify(AutotuneRun &run)
 {
-    auto looking = look(run);
-    co_await std::move(looking);
+    co_await look(run);
     if (run.isOver())
         co_return {};
     m_ground.room = roomOf(run);
     m_ground.envelope = run.envelope();
-    const auto chosen = Steps::chosenFrom(m_ground);
-    if (!chosen)
-        co_return fail(chosen.error());
-    m_steps = *chosen;
+    const auto chosen = co_await Steps::chosenFrom(m_ground);
+    m_steps = chosen;
     if (m_steps.isLed)
         run.note(say(
             "a step would draw too much current: the unit's own profile leads, at %1 counts/s at most", m_steps.rate));
     for (bool again = true; again && !run.isOver();) {
-        auto settling = settle(run);
-        co_await std::move(settling);
+        co_await settle(run);
         if (run.isOver())
             co_return {};
-        auto trying = tryAll(run);
-        co_await std::move(trying);
+        co_await tryAll(run);
         if (run.isOver())
             co_return {};
         if (m_swung) // it is done again with less D
             continue;
-        auto concluding = conclude(run);
-        again = co_await std::move(concluding);
+        again = co_await conclude(run);
     }
     co_return {};
 }
@@ -110,8 +104,7 @@ bool TwoPointIdentification::enlarge(const AutotuneRun &run)
 Task<void> TwoPointIdentification::look(AutotuneRun &run)
 {
     const TunePlan &plan = run.plan();
-    auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
-    const auto gains = co_await std::move(reading);
+    const auto gains = co_await readGains(run.device(), plan.loop, plan.axis, plan.slot);
     for (const auto &[key, value] : gains) {
         const Role role = roleOf(run.device().family(), key);
         if (role == Role::Proportional)
@@ -119,8 +112,7 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
         if (role == Role::Derivative)
             m_ground.stored.d = value.value_or(0.0);
     }
-    auto bounding = run.readEnvelope();
-    co_await std::move(bounding);
+    co_await run.readEnvelope();
     if (m_ground.stored.p < 1.0)
         co_return fail(Fault::Refused, say("the unit stores no P, so nothing moves it"),
             say("write a small gain.p once, with which it moves"));
@@ -129,12 +121,10 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
     m_ground.full = raw.fullDuty;
     m_ground.cycle = raw.cycle;
     if (!m_ground.isKnown) {
-        auto moving = findFirstMotion(run, m_ground.stored.p);
-        m_ground.moves = co_await std::move(moving);
+        m_ground.moves = co_await findFirstMotion(run, m_ground.stored.p);
         co_return {};
     }
-    auto beginning = begin(run);
-    co_await std::move(beginning);
+    co_await begin(run);
     co_return {};
 }
 
@@ -171,8 +161,7 @@ Task<void> TwoPointIdentification::step(AutotuneRun &run, RawGains gains, double
 {
     ExperimentPlan plan = rawStep(run, gains, counts, m_seconds);
     leadByProfile(run, m_steps.rate, plan);
-    auto running = run.run(std::move(plan));
-    Trial trial = co_await std::move(running);
+    Trial trial = co_await run.run(std::move(plan));
     m_swung = run.report().stopReason == toString(Guard::Oscillation);
     if (m_swung)
         run.forgive();
@@ -200,8 +189,7 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         m_trials.clear();
         if (m_steps.isLed)
             m_steps.rate = m_ground.profileRate(m_steps.first.d);
-        auto stepping = step(run, m_steps.first, m_steps.drive / m_steps.first.p);
-        co_await std::move(stepping);
+        co_await step(run, m_steps.first, m_steps.drive / m_steps.first.p);
         if (run.isOver())
             co_return {};
         if (m_swung) { // for lack of D, or by a rotor that is free in its play and that D drives to and fro
@@ -252,8 +240,7 @@ Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
     std::size_t before = 0;
     for (const Try &next : tries) {
         before = m_seen.steps.size();
-        auto stepping = step(run, next.point, next.share * m_steps.drive / next.point.p);
-        co_await std::move(stepping);
+        co_await step(run, next.point, next.share * m_steps.drive / next.point.p);
         if (run.isOver())
             co_return {};
         if (m_swung && (enlarge(run) || calm()))

@@ -51,10 +51,8 @@ Task<std::string> textLater(Clock &clock, std::string text)
 Task<int> sumOf(Clock &clock, int &alive)
 {
     const Witness outer(alive);
-    auto first = valueNow(40);
-    const int a = co_await std::move(first);
-    auto second = valueLater(clock, 2);
-    const int b = co_await std::move(second);
+    const int a = co_await valueNow(40);
+    const int b = co_await valueLater(clock, 2);
     co_return a + b;
 }
 
@@ -79,8 +77,7 @@ Task<int> nested(Clock &clock, int depth, int &alive)
         co_await Sleep(clock, 1ms);
         co_return 0;
     }
-    auto inner = nested(clock, depth - 1, alive);
-    const int below = co_await std::move(inner);
+    const int below = co_await nested(clock, depth - 1, alive);
     co_return below + 1;
 }
 
@@ -94,8 +91,7 @@ Task<int> suspendsThenFailsInline(Clock &clock, int &alive)
 {
     const Witness local(alive);
     co_await Sleep(clock, 1ms);
-    auto inner = failNow();
-    co_return co_await std::move(inner);
+    co_return co_await failNow();
 }
 
 Task<int> manyInline(int count)
@@ -113,8 +109,7 @@ Task<int> threeSteps(Clock &clock, int &alive)
     const Witness all(alive);
     for (int i = 0; i < 3; ++i) {
         const Witness step(alive);
-        auto inner = valueLater(clock, i);
-        co_await std::move(inner);
+        co_await valueLater(clock, i);
     }
     co_await Sleep(clock, 1ms);
     co_return 3;

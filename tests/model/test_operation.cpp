@@ -61,8 +61,7 @@ Task<int> broken(Clock &clock)
 Task<int> holding(Clock &clock, int &alive)
 {
     const Alive here(alive);
-    auto failing = broken(clock);
-    co_return co_await std::move(failing);
+    co_return co_await broken(clock);
 }
 
 TEST(Operation, HoldsNothingMoreWhenItAnswersAlsoWhereItFailedInTheMiddle)

@@ -85,8 +85,7 @@ Task<void> scanOf(Link &, Clock &, ScanSink &sink)
 
 Task<void> probeOf(Link &link, Clock &clock, int, ScanSink &sink)
 {
-    auto scan = scanOf(link, clock, sink);
-    co_await std::move(scan);
+    co_await scanOf(link, clock, sink);
     co_return {};
 }
 

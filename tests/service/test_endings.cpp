@@ -49,8 +49,7 @@ const QByteArray turnWithBase = R"({"recipe":1,"name":"turn","family":"dmc60c",
 Task<void> moveSwitch(Device &device)
 {
     for (const ParameterIndex place : {ParameterIndex{1}, ParameterIndex{0}}) {
-        auto writing = device.write(place, 1 - device.parameters().entry(place).raw.value_or(0));
-        (void)co_await std::move(writing);
+        (void)co_await device.write(place, 1 - device.parameters().entry(place).raw.value_or(0));
     }
     co_return {};
 }

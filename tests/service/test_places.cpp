@@ -316,8 +316,7 @@ public:
         ++asked;
         if (!answers)
             co_return fail(Fault::Timeout, say("the server does not answer"));
-        auto asking = m_journal.number(std::move(wish));
-        co_return co_await std::move(asking);
+        co_return co_await m_journal.number(std::move(wish));
     }
     int asked = 0;
     bool answers = false;

@@ -69,10 +69,8 @@ public:
     [[nodiscard]] Task<Visit> open(Visit visit) override
     {
         isOpening = true;
-        Sleep waiting(m_clock, 1s);
-        co_await waiting;
-        auto opening = m_journal.open(std::move(visit));
-        Visit opened = co_await std::move(opening);
+        co_await Sleep(m_clock, 1s);
+        Visit opened = co_await m_journal.open(std::move(visit));
         isOpening = false;
         co_return opened;
     }

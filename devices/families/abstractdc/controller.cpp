@@ -351,8 +351,7 @@ void Controller::updateLiveness()
 
 Task<void> Controller::refresh()
 {
-    auto asking = m_desk.expectAnswer();
-    co_await std::move(asking);
+    co_await m_desk.expectAnswer();
     Identity known = identity();
     known.descriptors = {{"position_glitches", std::to_string(m_logs.motion().glitches())}};
     for (auto &&saves : m_desk.saves())
@@ -395,8 +394,7 @@ Task<std::vector<FaultRecord>> Controller::readFaults()
 
 Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
-    auto reading = readFaults();
-    std::vector<FaultRecord> records = co_await std::move(reading);
+    std::vector<FaultRecord> records = co_await readFaults();
     m_logs.output().clearCounts();
     co_return records;
 }

@@ -158,11 +158,8 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
-    auto job = openocd::jobOf(options.via, options.target);
-    if (!job)
-        co_return fail(job.error());
-    if (auto ready = preflight(image, options); !ready)
-        co_return fail(ready.error());
+    auto job = co_await openocd::jobOf(options.via, options.target);
+    co_await preflight(image, options);
     const auto summary = inspect(image);
     UpdateReport report;
     if (options.dryRun) {
@@ -170,11 +167,9 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         report.evidence = say("nothing was written; the image fits, %1 pages", summary->parts.size());
         co_return report;
     }
-    const auto file = hexFileFor(image, "OpenOCD");
-    if (!file)
-        co_return fail(file.error());
-    job->file = (*file)->fileName().toStdString();
-    job->eraseSettings = options.eraseSettings;
+    const auto file = co_await hexFileFor(image, "OpenOCD");
+    job.file = file->fileName().toStdString();
+    job.eraseSettings = options.eraseSettings;
     if (options.eraseSettings)
         progress.log(Severity::Caution,
             say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
@@ -182,7 +177,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         progress.log(Severity::Caution, say("The image writes the settings pages: stored gains are replaced."));
     device.stop();
     auto programming = program(
-        static_cast<Controller &>(device), *job, summary->parts, takesSettings(image, options.target), progress);
+        static_cast<Controller &>(device), job, summary->parts, takesSettings(image, options.target), progress);
     const Attempt attempt = co_await std::move(programming);
     if (attempt.error)
         co_return fail(*attempt.error);
@@ -190,8 +185,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     progress.accepted(report.pages, 0);
     progress.mayInterrupt(true);
     progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
-    auto asking = answersAgain(device);
-    const bool answered = co_await std::move(asking);
+    const bool answered = co_await answersAgain(device);
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     report.verified = answered;
     report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again")

@@ -85,13 +85,11 @@ public:
         m_tried.clear();
         const Duration answers = std::max(answerTime(m_link), 2 * roundTrip(m_link) + broadcastSlack);
         const Instant end = m_clock.now() + answers;
-        if (auto sent = m_link.send(encodeLogRequest(dialectF, 0, Log::Velocity)); !sent)
-            co_return fail(sent.error());
+        co_await m_link.send(encodeLogRequest(dialectF, 0, Log::Velocity));
         while (m_clock.now() < end) {
             co_await Sleep(
                 m_clock, std::min<Duration>(std::max<Duration>(roundTrip(m_link), 2ms), end - m_clock.now()));
-            auto identifying = identifyNew();
-            co_await std::move(identifying);
+            co_await identifyNew();
         }
         co_return {};
     }
@@ -124,8 +122,7 @@ public:
         for (const Judged &one : m_judged) {
             Sharing sharing = m_census.isTwice(one.answer, one.found.offset) ? Sharing::Answered : Sharing::None;
             if (sharing == Sharing::None && isDoubtful(one)) {
-                auto looking = lookCloser(one.found.offset);
-                sharing = co_await std::move(looking);
+                sharing = co_await lookCloser(one.found.offset);
             }
             if (sharing == Sharing::None)
                 continue;
@@ -233,13 +230,10 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     Round round(*can, clock, sink);
     for (int i = 0; i < broadcasts; ++i) {
         sink.progress(say("Looking for Abstract DC Drives"), i, broadcasts);
-        auto asking = round.askAll();
-        co_await std::move(asking);
+        co_await round.askAll();
     }
-    auto oldest = round.askOldest();
-    co_await std::move(oldest);
-    auto judging = round.tellTwins();
-    co_await std::move(judging);
+    co_await round.askOldest();
+    co_await round.tellTwins();
     sink.progress(say("Abstract DC Drives found: %1", round.count()), broadcasts, broadcasts);
     if (can->state() != LinkState::Open)
         co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->loss().message()));

@@ -31,8 +31,7 @@ Task<std::optional<std::uint32_t>> Prober::ask(Probe probe, int most)
                 co_return std::optional<std::uint32_t>();
             co_await Sleep(m_clock, roundTrip(m_link));
         }
-        if (auto sent = m_link.send(request); !sent)
-            co_return fail(sent.error());
+        co_await m_link.send(request);
         const Result<CanFrame> answer = co_await inbox.next(answerTime(m_link));
         if (answer)
             co_return std::optional<std::uint32_t>(answer->id);
@@ -106,8 +105,7 @@ Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
             co_return Found{today, dialect};
     }
     if (mayBeLegacy) {
-        auto asking = tellLegacy(prober, legacy);
-        if (const Dialect *dialect = co_await std::move(asking))
+        if (const Dialect *dialect = co_await tellLegacy(prober, legacy))
             co_return Found{legacy, dialect};
     }
     if (today >= 0 && mayBeLegacy)
@@ -129,8 +127,7 @@ Task<std::vector<int>> findOldest(CanLink &link, Clock &clock, std::optional<std
     for (int offset = 0; offset <= maxOffset; ++offset) {
         if (expected && offset > 0 && !expected->contains(offset))
             continue;
-        if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
-            co_return fail(sent.error());
+        co_await link.send(encodeLogRequest(dialectLL, offset, Log::Position));
         co_await Sleep(clock, spacing);
     }
     co_await Sleep(clock, answerTime(link));

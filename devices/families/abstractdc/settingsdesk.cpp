@@ -116,24 +116,20 @@ bool SettingsDesk::overrunsEver() const
 
 Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
 {
-    if (auto allowed = mayWrite(parameter, raw); !allowed)
-        co_return fail(allowed.error());
+    co_await mayWrite(parameter, raw);
     const Loop loop = loopOf(parameter);
     const auto value = static_cast<std::int32_t>(raw);
     const bool lowered = fieldOf(parameter) == Field::Averaging && mayOverrun(raw);
     if (lowered)
         m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
-    if (auto sent = m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value)); !sent)
-        co_return fail(sent.error());
+    co_await m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value));
     if (const auto index = parameterOf(loop, fieldOf(parameter)))
         written(*index, raw);
-    auto asking = expectAnswer();
-    co_await std::move(asking);
+    co_await expectAnswer();
     if (lowered) {
         NoProgress unheard;
-        auto saving = save(loop, unheard);
-        co_await std::move(saving);
+        co_await save(loop, unheard);
     }
     co_return raw;
 }
@@ -157,19 +153,15 @@ Result<std::int64_t> SettingsDesk::maySave(Loop loop) const
 
 Task<void> SettingsDesk::save(Loop loop, Progress &progress)
 {
-    const auto before = maySave(loop);
-    if (!before)
-        co_return fail(before.error());
-    const std::int64_t saves = *before + 1;
+    const auto before = co_await maySave(loop);
+    const std::int64_t saves = before + 1;
     if (saves >= savesUntilWarning)
         progress.log(Severity::Caution,
             say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves,
                 savesPerPage));
-    if (auto sent = m_can.send(encodeSave(*m_logs.dialect(), m_device.identity().address, loop)); !sent)
-        co_return fail(sent.error());
+    co_await m_can.send(encodeSave(*m_logs.dialect(), m_device.identity().address, loop));
     m_count(counterOf(loop), saves);
-    auto asking = expectAnswer();
-    co_await std::move(asking);
+    co_await expectAnswer();
     settle(loop);
     co_return {};
 }
@@ -192,8 +184,7 @@ Task<bool> SettingsDesk::store(Progress &progress)
 {
     if (!m_logs.dialect())
         co_return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was saved"));
-    if (auto alone = m_logs.isAddressedAlone(); !alone)
-        co_return fail(alone.error());
+    co_await m_logs.isAddressedAlone();
     if (m_logs.loop() ? m_logs.isDriven() : m_logs.isMoving())
         co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
     std::set<Loop> all;
@@ -202,8 +193,7 @@ Task<bool> SettingsDesk::store(Progress &progress)
     int done = 0;
     for (const Loop loop : all) {
         progress.step(say("Saving the %1 loop", nameOf(loop)), done++, static_cast<int>(all.size()));
-        auto saving = save(loop, progress);
-        co_await std::move(saving);
+        co_await save(loop, progress);
     }
     progress.step(say("Saved"), static_cast<int>(all.size()), static_cast<int>(all.size()));
     co_return false;

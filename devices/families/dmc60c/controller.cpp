@@ -92,19 +92,16 @@ Presence::Owner Controller::owner()
 Task<void> Controller::refresh()
 {
     const std::optional<int> before = m_presence.session();
-    auto first = m_orders.versions();
-    Result<FirmwareVersions> versions = co_await std::move(first).attempt();
+    Result<FirmwareVersions> versions = co_await m_orders.versions().attempt();
     if (!versions && versions.error().fault == Fault::Timeout) {
         co_await Sleep(clock(), 2 * enumWindow); // the question has enumerated; time to judge what answered
         if (m_presence.session() == before)
             co_return fail(versions.error());
-        auto again = m_orders.versions();
-        versions = co_await std::move(again).attempt();
+        versions = co_await m_orders.versions().attempt();
     }
     if (!versions)
         co_return fail(versions.error());
-    auto descriptors = m_orders.descriptors();
-    const DescriptorList list = co_await std::move(descriptors);
+    const DescriptorList list = co_await m_orders.descriptors();
     Identity known = identity();
     setVersions(known, *versions);
     setDescriptors(known, list);
@@ -124,16 +121,14 @@ Task<void> Controller::identify()
 /// A restart takes what is not in flash yet, so that is waited for, and without it there is none.
 Task<void> Controller::doRestart()
 {
-    auto storing = m_desk.storeWhatWaits();
-    co_await std::move(storing);
+    co_await m_desk.storeWhatWaits();
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (!reply && reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
     if (!reply)
         restarted(); // only its answer may be lost
-    auto refreshing = refresh();
-    const Result<void> refreshed = co_await std::move(refreshing).attempt();
+    const Result<void> refreshed = co_await refresh().attempt();
     if (!reply && !refreshed)
         co_return fail(Fault::Timeout, say("it did not come back"),
             say("without an application its bootloader is silent (scan shows it)"));
@@ -154,8 +149,7 @@ Task<void> Controller::rename(std::string name)
     const auto count = static_cast<std::uint16_t>(bytes->size());
     auto set = m_orders.ask({Command::SetDevName, count}, std::move(*bytes));
     co_await std::move(set);
-    auto get = m_orders.descriptors();
-    const DescriptorList list = co_await std::move(get);
+    const DescriptorList list = co_await m_orders.descriptors();
     Identity known = identity();
     setDescriptors(known, list);
     setIdentity(known);
@@ -170,10 +164,8 @@ Task<void> Controller::renumber(int address)
         co_return fail(Fault::OutOfRange, say("a device number is 1 … 63"));
     if (address == identity().address)
         co_return {};
-    auto looking = m_orders.expectFree(address);
-    co_await std::move(looking);
-    auto moving = m_orders.moveTo(address);
-    const FirmwareVersions versions = co_await std::move(moving);
+    co_await m_orders.expectFree(address);
+    const FirmwareVersions versions = co_await m_orders.moveTo(address);
     Identity known = identity();
     known.address = address;
     known.state = DeviceState::Online; // free a moment ago, so no duplicate
@@ -197,12 +189,10 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         co_return fail(
             Fault::Unsafe, say("the position is written only while the output is off"), say("stop the motor first"));
     if (row.nature == Nature::Counter && raw != 0) {
-        auto clearing = m_desk.clearCounter(row, raw);
-        const std::int64_t before = co_await std::move(clearing);
+        const std::int64_t before = co_await m_desk.clearCounter(row, raw);
         co_return before;
     }
-    auto writing = m_desk.write(row, raw);
-    const std::int64_t inForce = co_await std::move(writing);
+    const std::int64_t inForce = co_await m_desk.write(row, raw);
     co_return inForce;
 }
 

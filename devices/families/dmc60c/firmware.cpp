@@ -34,8 +34,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return report;
     }
     Updater updater(device, *application, progress);
-    auto task = updater.run(std::move(options));
-    UpdateReport report = co_await std::move(task);
+    UpdateReport report = co_await updater.run(std::move(options));
     co_return report;
 }
 

@@ -38,8 +38,7 @@ Task<PageWriter::End> PageWriter::writeAll()
         m_progress.step(say("Page %1", page.number), m_pages, total);
         m_progress.part(page.number, PartState::Active);
         m_progress.mayInterrupt(page.number != firstPage);
-        auto writing = writePage(page);
-        const Result<End> end = co_await std::move(writing).attempt();
+        const Result<End> end = co_await writePage(page).attempt();
         m_progress.mayInterrupt(true);
         if (!end || *end == End::Restart)
             co_return end;
@@ -98,8 +97,7 @@ Task<PageWriter::End> PageWriter::writePage(const Page &page)
                 co_return fail(told.error());
             verdict = *told;
         } else {
-            auto asking = afterSilence(page);
-            verdict = co_await std::move(asking);
+            verdict = co_await afterSilence(page);
         }
         if (verdict != Verdict::Again)
             co_return verdict == Verdict::Written ? End::Written : End::Restart;
@@ -165,8 +163,7 @@ Task<PageWriter::Verdict> PageWriter::afterSilence(const Page &page)
 {
     ++m_tries;
     m_touched = true;
-    auto asking = m_contact.versions();
-    const Result<FirmwareVersions> now = co_await std::move(asking).attempt();
+    const Result<FirmwareVersions> now = co_await m_contact.versions().attempt();
     if (!now && now.error().fault == Fault::LinkLost)
         co_return fail(now.error());
     if (!now || !isInBootloader(*now))

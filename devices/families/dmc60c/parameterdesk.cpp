@@ -59,8 +59,7 @@ void ParameterDesk::restarted()
 Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
 {
     const Parameter &row = parameterTable()[parameterWithId(parameter)->value];
-    auto asking = m_exchange.get(m_contact.target(), parameter);
-    Result<ParamResponse> response = co_await std::move(asking).attempt();
+    Result<ParamResponse> response = co_await m_exchange.get(m_contact.target(), parameter).attempt();
     if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
         auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (README.md#parameters)
         response = co_await std::move(setting).attempt();
@@ -70,8 +69,7 @@ Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
             m_contact.unanswered();
         co_return fail(response.error().about(row.key));
     }
-    if (auto checked = dmc60c::check(*response, row.key); !checked)
-        co_return fail(checked.error());
+    co_await dmc60c::check(*response, row.key);
     co_return rawOf(row.type, response->field);
 }
 
@@ -79,13 +77,11 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
     if (parameter.persistent && parameter.nature == Nature::Setting) {
-        auto reading = read(number);
-        const std::int64_t present = co_await std::move(reading);
+        const std::int64_t present = co_await read(number);
         if (present == raw)
             co_return raw; // nothing changes, so flash must not be expected to
         if (m_flash.wantsBaseline()) {
-            auto asking = m_orders.flashSequence();
-            const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
+            const Result<std::uint32_t> sequence = co_await m_orders.flashSequence().attempt();
             m_flash.setBaseline(sequence ? std::optional(*sequence) : std::nullopt);
         }
         m_flash.changed(m_contact.clock.now()); // also when the answer is lost
@@ -94,8 +90,7 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
     const Result<ParamResponse> response = co_await std::move(setting).attempt();
     if (!response)
         co_return fail(response.error().about(parameter.key));
-    if (auto checked = dmc60c::check(*response, parameter.key); !checked)
-        co_return fail(checked.error());
+    co_await dmc60c::check(*response, parameter.key);
     co_return rawOf(parameter.type, response->field);
 }
 
@@ -104,14 +99,12 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
 Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
-    auto reading = read(number);
-    std::int64_t before = co_await std::move(reading);
+    std::int64_t before = co_await read(number);
     for (int attempt = 0; attempt < counterTries; ++attempt) {
         auto setting = m_exchange.setOnce(m_contact.target(), number, fieldOf(parameter.type, raw));
         const Result<ParamResponse> response = co_await std::move(setting).attempt();
         if (response) {
-            if (auto checked = dmc60c::check(*response, parameter.key); !checked)
-                co_return fail(checked.error());
+            co_await dmc60c::check(*response, parameter.key);
             const std::int64_t told = rawOf(parameter.type, response->field);
             before = std::max(before, told);
             if (number == param::stickyFaults || before == 0)
@@ -119,8 +112,7 @@ Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::
         } else if (response.error().fault != Fault::Timeout) {
             co_return fail(response.error());
         }
-        auto again = read(number);
-        const std::int64_t now = co_await std::move(again);
+        const std::int64_t now = co_await read(number);
         if (now < before || now == 0)
             co_return before;
     }
@@ -137,8 +129,7 @@ Task<bool> ParameterDesk::store(Progress &progress)
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
     while (m_flash.isPending()) {
-        auto asking = m_orders.flashSequence();
-        const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
+        const Result<std::uint32_t> sequence = co_await m_orders.flashSequence().attempt();
         const Instant now = m_contact.clock.now();
         if (m_flashLost)
             continue; // restarted meanwhile, and so no longer pending
@@ -172,8 +163,7 @@ Task<void> ParameterDesk::storeWhatWaits()
     const bool isOurs
         = m_flash.isPending(); // else a change of others may wait, and a unit that does not tell keeps nobody
     NoProgress unheard;
-    auto storing = store(unheard);
-    const Result<bool> stored = co_await std::move(storing).attempt();
+    const Result<bool> stored = co_await store(unheard).attempt();
     if (!stored && (isOurs || stored.error().fault != Fault::BadCheck))
         co_return fail(stored.error());
     co_return {};
@@ -181,8 +171,7 @@ Task<void> ParameterDesk::storeWhatWaits()
 
 Task<std::vector<FaultRecord>> ParameterDesk::faults(bool clear)
 {
-    auto readingActive = read(param::activeFaults);
-    const std::int64_t active = co_await std::move(readingActive);
+    const std::int64_t active = co_await read(param::activeFaults);
     std::array<std::int64_t, 1 + faultKeys.size()> values{}; // sticky bits, then counts in the order of the bits
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto number = static_cast<std::uint8_t>(param::stickyFaults + i);

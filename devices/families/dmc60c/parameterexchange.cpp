@@ -38,8 +38,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
     Error last{Fault::Timeout, say("no answer")};
     for (int attempt = 0; attempt < m_link.settings().patience.tries(most); ++attempt) {
         const Instant sentAt = m_clock.now();
-        if (auto sent = m_link.send(request); !sent)
-            co_return fail(sent.error());
+        co_await m_link.send(request);
         const Result<CanFrame> frame = co_await inbox.next(patienceAt(attempt));
         if (frame) {
             if (attempt == 0) // a later answer may belong to an earlier try

@@ -133,17 +133,14 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     for (int round = 0; round < enumRounds + (census.hasHalves() ? extraRounds : 0); ++round) {
         sink.progress(say("Looking for DMC60C"), round, enumRounds);
         const Instant end = clock.now() + enumWindow;
-        if (auto sent = can->send(encodeEnumerate()); !sent)
-            co_return fail(sent.error());
+        co_await can->send(encodeEnumerate());
         co_await Sleep(clock, answersDue);
-        auto describing = describeUnits(*can, clock, census, end);
-        co_await std::move(describing);
+        co_await describeUnits(*can, clock, census, end);
         if (clock.now() < end)
             co_await Sleep(clock, end - clock.now());
     }
     // A unit that only the last round found, or whose bytes were lost, gets what tries it has left.
-    auto describing = describeUnits(*can, clock, census, Instant::max());
-    co_await std::move(describing);
+    co_await describeUnits(*can, clock, census, Instant::max());
     sink.progress(say("DMC60C found: %1", census.complete()), enumRounds, enumRounds);
     if (can->state() != LinkState::Open)
         co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->loss().message()));

@@ -40,8 +40,7 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     if (hertz == 0.0 && usual == m_usual.end())
         co_return {};
     if (usual == m_usual.end()) {
-        auto reading = m_desk.read(*number);
-        const std::int64_t present = co_await std::move(reading);
+        const std::int64_t present = co_await m_desk.read(*number);
         m_usual[*number] = static_cast<std::uint32_t>(present);
     }
     if (hertz > 0.0)
@@ -50,8 +49,7 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     else
         m_wanted.erase(*number);
     m_owed.erase(*number);
-    auto writing = m_desk.write(row, periodFor(*number));
-    const Result<std::int64_t> inForce = co_await std::move(writing).attempt();
+    const Result<std::int64_t> inForce = co_await m_desk.write(row, periodFor(*number)).attempt();
     if (!inForce) {
         const bool mayHaveCome = inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost;
         if (!mayHaveCome)

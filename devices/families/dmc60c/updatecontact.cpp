@@ -48,8 +48,7 @@ Task<VendorReply> UpdateContact::send(
     VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
 {
     if (m_answerOwed && !isQuestion(command.command)) {
-        auto settling = settle();
-        co_await std::move(settling);
+        co_await settle();
     }
     m_sentAt = m_clock.now();
     VendorRequest request;
@@ -58,8 +57,7 @@ Task<VendorReply> UpdateContact::send(
     request.command = command;
     request.data = std::move(data);
     request.gap = gap;
-    auto exchange = vendorExchange(m_link, m_clock, std::move(request), attempts);
-    Result<VendorReply> reply = co_await std::move(exchange).attempt();
+    Result<VendorReply> reply = co_await vendorExchange(m_link, m_clock, std::move(request), attempts).attempt();
     m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
     co_return reply;
 }
@@ -83,10 +81,8 @@ Task<void> UpdateContact::settle()
 
 Task<FirmwareVersions> UpdateContact::versions()
 {
-    auto asking = order(Command::GetFwver);
-    const VendorReply reply = co_await std::move(asking);
-    if (const auto good = check(Command::GetFwver, reply); !good)
-        co_return fail(good.error());
+    const VendorReply reply = co_await order(Command::GetFwver);
+    co_await check(Command::GetFwver, reply);
     const auto decoded = decodeFirmwareVersions(reply.data);
     if (!decoded)
         co_return fail(Fault::BadReply, say("GetFwver answered with %1 bytes", reply.data.size()));
@@ -99,8 +95,7 @@ Task<std::vector<UpdateContact::Unit>> UpdateContact::enumerate(Duration window)
     CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) {
         return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number;
     });
-    if (const auto sent = m_link.send(encodeEnumerate()); !sent)
-        co_return fail(sent.error());
+    co_await m_link.send(encodeEnumerate());
     std::vector<Unit> units;
     const auto unitOf = [&units](std::uint16_t session) -> Unit & {
         const auto known = std::ranges::find(units, session, &Unit::session);
@@ -126,13 +121,11 @@ Task<UpdateContact::Unit> UpdateContact::findAgain(Duration limit)
 {
     const Instant end = m_clock.now() + limit;
     while (m_clock.now() < end) {
-        auto round = enumerate(enumWindow);
-        const std::vector<Unit> units = co_await std::move(round);
+        const std::vector<Unit> units = co_await enumerate(enumWindow);
         if (units.size() > 1)
             co_return fail(Fault::Unsafe, say("several units answer as number %1", m_device.identity().address));
         if (units.size() == 1) {
-            auto looking = expectSame(units.front().session);
-            co_await std::move(looking);
+            co_await expectSame(units.front().session);
             takeSession(units.front().session);
             co_return units.front();
         }
@@ -154,8 +147,7 @@ Task<void> UpdateContact::expectSame(std::uint16_t session)
                 number),
             say("scan again, and update it if it is the one that is meant"));
     if (!m_serial.empty()) {
-        auto asking = serialOf(session);
-        const std::string serial = co_await std::move(asking);
+        const std::string serial = co_await serialOf(session);
         if (serial != m_serial)
             co_return fail(Fault::Unsafe,
                 say("another unit answers as number %1: serial number '%2' instead of '%3'", number, serial, m_serial),
@@ -173,11 +165,9 @@ Task<std::string> UpdateContact::serialOf(std::uint16_t session)
     m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
     if (!reply)
         co_return fail(reply.error());
-    const auto list = descriptorsIn(*reply);
-    if (!list)
-        co_return fail(list.error());
+    const auto list = co_await descriptorsIn(*reply);
     Identity told;
-    setDescriptors(told, *list);
+    setDescriptors(told, list);
     co_return told.serial;
 }
 

@@ -52,8 +52,7 @@ UpdateReport Updater::failed(const Error &error) const
 
 Task<UpdateReport> Updater::run(UpdateOptions options)
 {
-    auto checking = preflight(options);
-    const Result<void> checked = co_await std::move(checking).attempt();
+    const Result<void> checked = co_await preflight(options).attempt();
     if (!checked)
         co_return failed(checked.error());
     if (m_upToDate) {
@@ -70,15 +69,12 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
         co_return m_report;
     }
     if (m_runs) {
-        auto keeping = keepParameters();
-        if (const Result<void> kept = co_await std::move(keeping).attempt(); !kept)
+        if (const Result<void> kept = co_await keepParameters().attempt(); !kept)
             co_return failed(kept.error());
     }
-    auto installing = install();
-    const Result<void> installed = co_await std::move(installing).attempt();
+    const Result<void> installed = co_await install().attempt();
     if (!installed) {
-        auto giving = giveBack();
-        (void)co_await std::move(giving).attempt();
+        (void)co_await giveBack().attempt();
         co_return failed(installed.error());
     }
     m_report.pages = m_pages.pages();
@@ -97,15 +93,13 @@ Task<void> Updater::preflight(UpdateOptions options)
     m_progress.step(say("Preflight"), 0, 0);
     if (!options.dryRun)
         m_device.stop();
-    auto finding = m_contact.findAgain(1s);
-    const UpdateContact::Unit unit = co_await std::move(finding);
+    const UpdateContact::Unit unit = co_await m_contact.findAgain(1s);
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
         co_return fail(Fault::Unsafe,
             say("the image is for product 602, this unit is product %1%2%3", *unit.productId >> 28U,
                 (*unit.productId >> 24U) & 0xFU, (*unit.productId >> 20U) & 0xFU),
             say("nothing was written"));
-    auto asking = m_contact.versions();
-    const FirmwareVersions now = co_await std::move(asking);
+    const FirmwareVersions now = co_await m_contact.versions();
     m_report.from = versionText(now.application);
     m_progress.replaces(m_report.from);
     const std::string version = versionText(m_application.version);
@@ -130,8 +124,7 @@ Task<void> Updater::keepParameters()
 {
     const auto entries = m_device.parameters().entries();
     if (std::ranges::any_of(entries, [](const auto &each) { return each.state == ParameterState::Ram; })) {
-        auto storing = m_device.store(m_progress);
-        const Result<bool> stored = co_await std::move(storing).attempt();
+        const Result<bool> stored = co_await m_device.store(m_progress).attempt();
         if (!stored && stored.error().fault == Fault::LinkLost)
             co_return fail(stored.error());
         if (!stored)
@@ -147,14 +140,11 @@ Task<void> Updater::keepParameters()
 Task<void> Updater::enterBootloader()
 {
     m_progress.step(say("Enter bootloader"), 0, static_cast<int>(m_application.pages.size()));
-    auto entering = m_contact.order(Command::EnterBootloader);
-    const VendorReply reply = co_await std::move(entering);
-    if (const auto good = check(Command::EnterBootloader, reply); !good)
-        co_return fail(good.error());
+    const VendorReply reply = co_await m_contact.order(Command::EnterBootloader);
+    co_await check(Command::EnterBootloader, reply);
     m_entered = m_entered || !m_inBootloader;
     m_inBootloader = true;
-    auto asking = m_contact.versions();
-    const FirmwareVersions now = co_await std::move(asking);
+    const FirmwareVersions now = co_await m_contact.versions();
     if (!isInBootloader(now))
         co_return fail(Fault::BadReply, say("the unit said it is in its bootloader, but its application answers"));
     m_progress.log(Severity::Good, say("in bootloader %1, session kept", versionText(now.bootloader)));
@@ -164,33 +154,27 @@ Task<void> Updater::enterBootloader()
 Task<void> Updater::install()
 {
     for (;;) {
-        auto working = installOnce();
-        const Result<void> done = co_await std::move(working).attempt();
+        const Result<void> done = co_await installOnce().attempt();
         if (done || done.error().fault != Fault::LinkLost || m_losses >= mostLosses)
             co_return done;
         ++m_losses;
-        auto waiting = awaitLink(done.error());
-        co_await std::move(waiting);
+        co_await awaitLink(done.error());
     }
 }
 
 Task<void> Updater::installOnce()
 {
     if (m_losses > 0) {
-        auto looking = lookAgain();
-        co_await std::move(looking);
+        co_await lookAgain();
     }
     if (!m_isWritten) {
-        auto writing = writeAll();
-        co_await std::move(writing);
+        co_await writeAll();
         m_isWritten = true;
     }
     if (!m_isLeft) {
-        auto leaving = leaveBootloader();
-        co_await std::move(leaving);
+        co_await leaveBootloader();
     }
-    auto verifying = verify();
-    co_await std::move(verifying);
+    co_await verify();
     co_return {};
 }
 
@@ -201,8 +185,7 @@ Task<void> Updater::awaitLink(Error lost)
     m_progress.log(
         Severity::Caution, say("%1 is lost: %2; waiting up to %3 for it to come back", name, lost.message(), limit));
     m_progress.step(say("Wait for %1", name), m_pages.pages(), static_cast<int>(m_application.pages.size()));
-    auto waiting = linkReturn(m_contact.link(), m_contact.clock(), linkPatience);
-    const Result<void> back = co_await std::move(waiting).attempt();
+    const Result<void> back = co_await linkReturn(m_contact.link(), m_contact.clock(), linkPatience).attempt();
     if (!back)
         co_return fail(back.error().about(say("%1 did not come back within %2", name, limit)));
     m_progress.log(Severity::Info, say("%1 is back", name));
@@ -212,10 +195,8 @@ Task<void> Updater::awaitLink(Error lost)
 /// Page 30 erased the version and page 0 brings it, so that a unit that has it has all pages.
 Task<void> Updater::lookAgain()
 {
-    auto finding = m_contact.findAgain(findLimit);
-    co_await std::move(finding);
-    auto asking = m_contact.versions();
-    const FirmwareVersions now = co_await std::move(asking);
+    co_await m_contact.findAgain(findLimit);
+    const FirmwareVersions now = co_await m_contact.versions();
     m_isWritten = m_pages.hasSentLast() && now.application == m_application.version;
     m_inBootloader = isInBootloader(now);
     m_isLeft = m_isWritten && !m_inBootloader;
@@ -232,17 +213,14 @@ Task<void> Updater::lookAgain()
 Task<void> Updater::writeAll()
 {
     for (;;) {
-        auto entering = enterBootloader();
-        co_await std::move(entering);
-        auto writing = m_pages.writeAll();
-        const PageWriter::End end = co_await std::move(writing);
+        co_await enterBootloader();
+        const PageWriter::End end = co_await m_pages.writeAll();
         if (end == PageWriter::End::Written)
             co_return {};
         if (++m_restarts > mostRestarts)
             co_return fail(Fault::Refused, say("the device restarted %1 times during the update", m_restarts));
         m_progress.log(Severity::Caution, say("the device may have restarted: once more from page %1", lastPage));
-        auto finding = m_contact.findAgain(findLimit);
-        co_await std::move(finding);
+        co_await m_contact.findAgain(findLimit);
     }
 }
 
@@ -253,16 +231,14 @@ Task<void> Updater::leaveBootloader()
     auto resetting = m_contact.send({Command::SoftReset}, {}, Attempts{1, 3s}, {});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (reply) {
-        if (const auto good = check(Command::SoftReset, *reply); !good)
-            co_return fail(good.error());
+        co_await check(Command::SoftReset, *reply);
         m_inBootloader = false;
         m_progress.log(Severity::Good, say("restarted, the application answers"));
         co_return {};
     }
     if (reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
-    auto finding = m_contact.findAgain(findLimit);
-    const UpdateContact::Unit unit = co_await std::move(finding);
+    const UpdateContact::Unit unit = co_await m_contact.findAgain(findLimit);
     m_inBootloader = !unit.versions || isInBootloader(*unit.versions);
     m_progress.log(Severity::Caution, say("the answer to the reset was lost; found again by enumeration"));
     co_return {};
@@ -272,20 +248,17 @@ Task<void> Updater::giveBack()
 {
     if (!m_entered || !m_inBootloader || m_pages.hasTouched())
         co_return {};
-    auto leaving = leaveBootloader();
-    co_await std::move(leaving);
+    co_await leaveBootloader();
     co_return {};
 }
 
 Task<void> Updater::verify()
 {
-    auto asking = m_contact.versions();
-    FirmwareVersions now = co_await std::move(asking);
+    FirmwareVersions now = co_await m_contact.versions();
     if (isInBootloader(now) && now.application == m_application.version) {
         auto leaving = leaveBootloader(); // the reset itself was lost
         co_await std::move(leaving);
-        auto again = m_contact.versions();
-        now = co_await std::move(again);
+        now = co_await m_contact.versions();
     }
     m_inBootloader = isInBootloader(now);
     if (m_inBootloader || now.application != m_application.version)

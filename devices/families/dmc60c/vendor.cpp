@@ -25,15 +25,13 @@ CanInbox::Match replyMatch(const VendorRequest &request)
 /// Sends the command and its bytes.
 Task<void> sendAll(CanLink &link, Clock &clock, const VendorRequest &request)
 {
-    if (auto sent = link.send(encodeVendorCommand(request.device, request.session, request.command)); !sent)
-        co_return fail(sent.error());
+    co_await link.send(encodeVendorCommand(request.device, request.session, request.command));
     const std::span<const std::uint8_t> bytes(request.data);
     for (std::size_t at = 0; at < bytes.size(); at += frameSize) {
         if (request.gap > Duration::zero())
             co_await Sleep(clock, request.gap);
         const auto part = bytes.subspan(at, std::min(frameSize, bytes.size() - at));
-        if (auto sent = link.send(encodeVendorData(request.device, part)); !sent)
-            co_return fail(sent.error());
+        co_await link.send(encodeVendorData(request.device, part));
     }
     co_return {};
 }
@@ -120,8 +118,7 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
     const Patience &patience = link.settings().patience;
     const bool asks = attemptsOf(request.command.command).timeout <= atOnce;
     for (int i = 0; i < patience.tries(attempts.tries); ++i) {
-        auto sending = sendAll(link, clock, request);
-        co_await std::move(sending);
+        co_await sendAll(link, clock, request);
         auto collecting = collect(
             inbox, clock, request, asks ? patience.answer(attempts.timeout) : patience.work(attempts.timeout));
         Result<VendorReply> reply = co_await std::move(collecting).attempt();

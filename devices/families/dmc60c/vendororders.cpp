@@ -35,8 +35,7 @@ Task<VendorReply> VendorOrders::ask(VendorCommand command, std::vector<std::uint
             m_contact.unanswered();
         co_return fail(reply.error());
     }
-    if (auto checked = dmc60c::check(command.command, *reply); !checked)
-        co_return fail(checked.error());
+    co_await dmc60c::check(command.command, *reply);
     co_return std::move(*reply);
 }
 
@@ -76,8 +75,7 @@ Task<void> VendorOrders::expectFree(int number)
         return (answers || tells) && deviceOf(frame) == number;
     });
     for (int round = 0; round < freeRounds; ++round) {
-        if (auto sent = m_contact.link.send(encodeEnumerate()); !sent)
-            co_return fail(sent.error());
+        co_await m_contact.link.send(encodeEnumerate());
         const Result<CanFrame> answer = co_await inbox.next(enumWindow);
         if (answer)
             co_return fail(Fault::Refused, say("number %1 is used by another unit", number));
@@ -99,8 +97,7 @@ Task<FirmwareVersions> VendorOrders::moveTo(int number)
             m_contact.link, m_contact.clock, std::move(request), {1, attemptsOf(Command::SetDevNumber).timeout});
         const Result<VendorReply> status = co_await std::move(setting).attempt();
         if (status) {
-            if (auto checked = dmc60c::check(Command::SetDevNumber, *status); !checked)
-                co_return fail(checked.error());
+            co_await dmc60c::check(Command::SetDevNumber, *status);
         } else if (status.error().fault != Fault::Timeout) {
             co_return fail(status.error());
         }

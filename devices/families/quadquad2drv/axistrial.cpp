@@ -39,8 +39,7 @@ double secondsOf(Duration time)
 /// How fast the velocity estimate is at present.
 Task<History> askHistory(PacketPort &port)
 {
-    auto asking = port.request(getRequest(PacketId::GetHistory));
-    const Packet reply = co_await std::move(asking);
+    const Packet reply = co_await port.request(getRequest(PacketId::GetHistory));
     const auto history = parseHistory(reply);
     if (!history)
         co_return fail(Fault::BadReply, say("the history has an unexpected length"));
@@ -78,8 +77,7 @@ AxisTrial::~AxisTrial()
 /// No limit but that of the power, and a velocity estimate that is fast. All of it can be put back.
 Task<void> AxisTrial::prepare()
 {
-    auto asking = askHistory(m_board.port());
-    const History history = co_await std::move(asking);
+    const History history = co_await askHistory(m_board.port());
     m_leavesStartGains = !knowsGains(m_board.parameters(), m_axis);
     if (m_leavesStartGains)
         m_progress.log(Severity::Caution,
@@ -98,15 +96,13 @@ Task<void> AxisTrial::prepare()
         setHistory(shortHistory, shortTime),
     };
     for (const Bytes &request : requests) {
-        auto telling = m_board.tell(request);
-        co_await std::move(telling);
+        co_await m_board.tell(request);
     }
     m_board.settings().accepted(indexOf(m_axis, AxisParameter::LimitPower), static_cast<std::int64_t>(m_most));
     auto atRest = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
     co_await std::move(atRest);
     do {
-        auto waiting = wait(tick);
-        co_await std::move(waiting);
+        co_await wait(tick);
     } while (!m_board.guard().stands());
     co_return {};
 }
@@ -119,8 +115,7 @@ Task<void> AxisTrial::finish()
         co_await Sleep(m_clock, tick);
     if (!m_board.isSeenStopped())
         co_return fail(Fault::Unsafe, say("the motors were told to stop, and are not seen to stand"));
-    auto giving = m_borrowed->giveBack();
-    co_await std::move(giving);
+    co_await m_borrowed->giveBack();
     co_return {};
 }
 
@@ -168,8 +163,7 @@ Task<void> AxisTrial::wait(Duration time, double way)
     const Instant end = m_clock.now() + time;
     while (m_clock.now() < end) {
         co_await Sleep(m_clock, tick);
-        if (auto safe = look(); !safe)
-            co_return fail(safe.error());
+        co_await look();
         if (way > 0.0 && m_track.way() >= way)
             break;
     }
@@ -179,12 +173,10 @@ Task<void> AxisTrial::wait(Duration time, double way)
 /// Without power until it stands.
 Task<void> AxisTrial::rest()
 {
-    auto stopping = move(Mode::Duty, 0.0);
-    co_await std::move(stopping);
+    co_await move(Mode::Duty, 0.0);
     for (int i = 0; i < 20; ++i) {
         begin();
-        auto waiting = wait(100ms);
-        co_await std::move(waiting);
+        co_await wait(100ms);
         if (std::abs(m_track.speed(0.0, m_track.end())) < standingSpeed)
             break;
     }
@@ -205,11 +197,9 @@ Task<Track> AxisTrial::drive(Run run)
     const bool velocity = run.loop == Loop::Velocity;
     auto moving = move(velocity ? Mode::Velocity : Mode::Position, (velocity ? 0.0 : *m_from) + m_direction * run.aim);
     co_await std::move(moving);
-    auto waiting = wait(fromSeconds(run.seconds), run.way);
-    co_await std::move(waiting);
+    co_await wait(fromSeconds(run.seconds), run.way);
     Track track = m_track;
-    auto resting = rest();
-    co_await std::move(resting);
+    co_await rest();
     co_return track;
 }
 
@@ -217,8 +207,7 @@ Task<PowerStep> AxisTrial::powerStep(double power)
 {
     m_direction = -m_direction;
     begin();
-    auto moving = move(Mode::Duty, m_direction * power / fullPower);
-    co_await std::move(moving);
+    co_await move(Mode::Duty, m_direction * power / fullPower);
     PowerStep step{power, 0.0, 0.0};
     for (int i = 0; i < 10; ++i) {
         auto waiting = wait(i == 0 ? 1200ms : 400ms);
@@ -235,8 +224,7 @@ Task<PowerStep> AxisTrial::powerStep(double power)
         step.speed = 0.0;
     if (step.speed > 0.0)
         step.lag = m_track.end() - m_track.counts.back() / step.speed;
-    auto resting = rest();
-    co_await std::move(resting);
+    co_await rest();
     co_return step;
 }
 

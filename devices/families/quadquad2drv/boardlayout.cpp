@@ -16,12 +16,9 @@ BoardLayout::BoardLayout(SpiLink &link, PacketPort &port, Clock &clock, Owner ow
 
 Task<void> BoardLayout::read()
 {
-    auto masksTask = m_port.request(getRequest(PacketId::GetDataMask));
-    const Packet masksReply = co_await std::move(masksTask);
-    auto configTask = m_port.request(getRequest(PacketId::GetStreamConfig));
-    const Packet configReply = co_await std::move(configTask);
-    auto periodTask = m_port.request(getRequest(PacketId::GetStreamPeriod));
-    const Packet periodReply = co_await std::move(periodTask);
+    const Packet masksReply = co_await m_port.request(getRequest(PacketId::GetDataMask));
+    const Packet configReply = co_await m_port.request(getRequest(PacketId::GetStreamConfig));
+    const Packet periodReply = co_await m_port.request(getRequest(PacketId::GetStreamPeriod));
     const auto masks = parseDataMasks(masksReply);
     const auto config = parseStreamConfig(configReply);
     const auto period = parseStreamPeriod(periodReply);
@@ -39,8 +36,7 @@ Task<void> BoardLayout::expectNoReset()
 {
     if (m_resetKnown)
         co_return {};
-    auto checking = check();
-    co_await std::move(checking);
+    co_await check();
     if (m_restarted)
         co_return fail(
             Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));
@@ -49,13 +45,10 @@ Task<void> BoardLayout::expectNoReset()
 
 Task<void> BoardLayout::tellEverything()
 {
-    auto looking = expectNoReset();
-    co_await std::move(looking);
-    auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
-    co_await std::move(masks);
+    co_await expectNoReset();
+    co_await m_port.request(setDataMask(allAxes, datamask::everything));
     m_changed = true;
-    auto layout = read();
-    co_await std::move(layout);
+    co_await read();
     co_return {};
 }
 
@@ -69,8 +62,7 @@ bool BoardLayout::tellsEverything() const
 /// profile were written, by this run of the program or another one: all that write set other masks first.
 Task<void> BoardLayout::check(int tries)
 {
-    auto asking = m_port.request(getRequest(PacketId::GetDataMask), tries);
-    const Packet reply = co_await std::move(asking);
+    const Packet reply = co_await m_port.request(getRequest(PacketId::GetDataMask), tries);
     const auto masks = parseDataMasks(reply);
     if (!masks)
         co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
@@ -106,16 +98,14 @@ void BoardLayout::forget()
 Task<bool> BoardLayout::setRate(ChannelIndex channel, double hertz)
 {
     m_wishes.set(channel, hertz);
-    auto resuming = resumeRate();
-    const bool another = co_await std::move(resuming);
+    const bool another = co_await resumeRate();
     co_return another;
 }
 
 Task<bool> BoardLayout::resumeRate()
 {
     const Turns::Turn turn = co_await m_rateTurns.take();
-    auto following = followWishes();
-    const Result<bool> another = co_await std::move(following).attempt();
+    const Result<bool> another = co_await followWishes().attempt();
     m_rateOwed = !another && (another.error().fault == Fault::Timeout || another.error().fault == Fault::LinkLost);
     co_return another;
 }
@@ -126,8 +116,7 @@ Task<bool> BoardLayout::followWishes()
     if (wished <= 0.0) {
         if (!m_before)
             co_return false;
-        auto putting = putBack();
-        const Result<void> put = co_await std::move(putting).attempt();
+        const Result<void> put = co_await putBack().attempt();
         if (!put) {
             m_owner.streamChanged(); // it may have ended all the same: then it is polled
             co_return fail(put.error());
@@ -141,48 +130,36 @@ Task<bool> BoardLayout::followWishes()
     if (!m_link.ready().has_value())
         co_return fail(
             Fault::Unsupported, say("without a ready line the board is asked 100 times a second, and cannot stream"));
-    auto beginning = begin(period);
-    co_await std::move(beginning);
+    co_await begin(period);
     co_return true;
 }
 
 Task<void> BoardLayout::begin(std::uint16_t period)
 {
     if (!m_before) {
-        auto looking = expectNoReset();
-        co_await std::move(looking);
-        auto reading = read();
-        co_await std::move(reading);
+        co_await expectNoReset();
+        co_await read();
         m_before = Stream{m_port.masks(), m_port.streamConfig(), m_streamPeriod};
     }
-    auto telling = tellEverything();
-    co_await std::move(telling);
-    auto config = m_port.request(setStreamConfig(streamconfig::elapsed));
-    co_await std::move(config);
-    auto setting = m_port.request(setStreamPeriod(period));
-    co_await std::move(setting);
-    auto layout = read();
-    co_await std::move(layout);
+    co_await tellEverything();
+    co_await m_port.request(setStreamConfig(streamconfig::elapsed));
+    co_await m_port.request(setStreamPeriod(period));
+    co_await read();
     co_return {};
 }
 
 Task<void> BoardLayout::putBack()
 {
     const Stream before = *m_before;
-    auto ending = m_port.request(setStreamPeriod(0));
-    co_await std::move(ending);
+    co_await m_port.request(setStreamPeriod(0));
     m_streamPeriod = 0;
-    auto masks = putMasksBack(before.masks);
-    co_await std::move(masks);
-    auto config = m_port.request(setStreamConfig(before.config));
-    co_await std::move(config);
+    co_await putMasksBack(before.masks);
+    co_await m_port.request(setStreamConfig(before.config));
     if (before.period > 0) {
-        auto setting = m_port.request(setStreamPeriod(before.period));
-        co_await std::move(setting);
+        co_await m_port.request(setStreamPeriod(before.period));
     }
     m_before.reset();
-    auto layout = read();
-    co_await std::move(layout);
+    co_await read();
     co_return {};
 }
 
@@ -200,8 +177,7 @@ Task<void> BoardLayout::putMasksBack(DataMasks before)
         m_port.setLayout(masks, m_port.streamConfig());
     }
     if (m_holds) { // somebody drives or writes since
-        auto telling = tellEverything();
-        co_await std::move(telling);
+        co_await tellEverything();
     }
     co_return {};
 }

@@ -38,8 +38,7 @@ BorrowedSettings::~BorrowedSettings()
 
 Task<void> BorrowedSettings::giveBack()
 {
-    auto restoring = restore(m_board, m_loan);
-    co_await std::move(restoring);
+    co_await restore(m_board, m_loan);
     m_given = true;
     co_return {};
 }
@@ -64,8 +63,7 @@ Task<void> BorrowedSettings::restore(Controller &board, Loan loan)
         orders.push_back(setHistory(
             static_cast<std::uint8_t>(loan.history->length), static_cast<std::uint8_t>(loan.history->timeBits)));
     for (const Bytes &order : orders) {
-        auto telling = board.tell(order);
-        Result<void> told = co_await std::move(telling).attempt();
+        Result<void> told = co_await board.tell(order).attempt();
         if (told && loan.resets != board.resets())
             co_return {};
         if (!told) {

@@ -18,8 +18,7 @@ constexpr Duration startTime = 100ms; ///< after a reset (README.md#waiting-pack
 
 Task<void> ask(PacketPort &port)
 {
-    auto asking = port.request(getRequest(PacketId::GetMotion), 1);
-    co_await std::move(asking);
+    co_await port.request(getRequest(PacketId::GetMotion), 1);
     co_return {};
 }
 
@@ -28,8 +27,7 @@ constexpr int refreshTries = 3; ///< as for every other question; the polls are 
 Task<void> sendAll(PacketPort &port, std::vector<Bytes> requests)
 {
     for (const Bytes &request : requests) {
-        auto asking = port.request(request);
-        co_await std::move(asking);
+        co_await port.request(request);
     }
     co_return {};
 }
@@ -217,15 +215,12 @@ bool Controller::isSeenStopped() const
 
 Task<void> Controller::refresh()
 {
-    auto asking = m_port.request(getRequest(PacketId::GetVersion));
-    const Packet reply = co_await std::move(asking);
+    const Packet reply = co_await m_port.request(getRequest(PacketId::GetVersion));
     const auto version = parseVersion(reply);
     if (!version)
         co_return fail(Fault::BadReply, say("the version has an unexpected length"));
-    auto checking = m_layout.check(refreshTries);
-    co_await std::move(checking);
-    auto layout = m_layout.read();
-    co_await std::move(layout);
+    co_await m_layout.check(refreshTries);
+    co_await m_layout.read();
     Identity known = identity();
     setVersion(known, version->major, version->minor, version->protocol);
     m_layout.refreshed();
@@ -252,16 +247,14 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         }
     }
     if (m_port.masks()[0] == datamask::startUp) {
-        auto telling = m_layout.tellEverything();
-        co_await std::move(telling);
+        co_await m_layout.tellEverything();
     }
     if (ofAxis && which == AxisParameter::Counter && m_drives.controlMode(axis) == ControlMode::Position)
         co_return fail(
             Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
     Bytes request = m_settings.write(index, raw);
     m_layout.noteChange();
-    auto writing = m_port.request(std::move(request));
-    const Result<Packet> reply = co_await std::move(writing).attempt();
+    const Result<Packet> reply = co_await m_port.request(std::move(request)).attempt();
     if (!reply)
         co_return fail(reply.error().about(row.key));
     m_settings.accepted(index, raw);
@@ -270,12 +263,10 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);
         m_port.setLayout(masks, m_port.streamConfig());
     }
-    auto layout = m_layout.read();
-    co_await std::move(layout);
+    co_await m_layout.read();
     if (row.access == Access::WriteOnly)
         co_return raw;
-    auto reading = readParameter(m_port, index);
-    const std::int64_t inForce = co_await std::move(reading);
+    const std::int64_t inForce = co_await readParameter(m_port, index);
     co_return inForce;
 }
 
@@ -301,8 +292,7 @@ Task<void> Controller::doRestart()
         co_return pulsed;
     m_layout.forget();
     co_await Sleep(clock(), startTime);
-    auto refreshing = refresh();
-    co_await std::move(refreshing);
+    co_await refresh();
     co_return {};
 }
 
@@ -318,8 +308,7 @@ Task<void> Controller::renumber(int)
 
 Task<void> Controller::setRate(ChannelIndex channel, double hertz)
 {
-    auto setting = m_layout.setRate(channel, hertz);
-    if (const bool another = co_await std::move(setting); another)
+    if (const bool another = co_await m_layout.setRate(channel, hertz); another)
         breakLines();
     co_return {};
 }
@@ -347,12 +336,10 @@ void Controller::doProfileChanged()
 Task<void> Controller::tell(Bytes request)
 {
     if (!m_layout.tellsEverything()) {
-        auto telling = m_layout.tellEverything();
-        co_await std::move(telling);
+        co_await m_layout.tellEverything();
     }
     m_layout.noteChange();
-    auto asking = m_port.request(std::move(request));
-    co_await std::move(asking);
+    co_await m_port.request(std::move(request));
     co_return {};
 }
 

@@ -61,8 +61,7 @@ constexpr std::array<Experiment, 2> experimentTable{{
 /// Status bits of an axis (0…3) now.
 Task<std::uint8_t> askStatus(PacketPort &port, int axis)
 {
-    auto asking = port.request(getRequest(PacketId::GetMotion));
-    const Packet reply = co_await std::move(asking);
+    const Packet reply = co_await port.request(getRequest(PacketId::GetMotion));
     const auto motion = parseMotion(reply, port.masks(), port.streamConfig());
     if (!motion || !motion->channels[static_cast<std::size_t>(axis)].status)
         co_return fail(Fault::BadReply, say("the board did not tell its status"));
@@ -74,11 +73,9 @@ Task<bool> isActive(Controller &board, int axis, int bit)
 {
     InputSettings input;
     input.configuration = static_cast<std::uint8_t>(static_cast<int>(InputMode::Home) | bit << 3);
-    auto telling = board.tell(setInputMode(maskOf(axis), input));
-    co_await std::move(telling);
+    co_await board.tell(setInputMode(maskOf(axis), input));
     co_await Sleep(board.clock(), settling);
-    auto asking = askStatus(board.port(), axis);
-    const std::uint8_t bits = co_await std::move(asking);
+    const std::uint8_t bits = co_await askStatus(board.port(), axis);
     co_return (bits & status::inputActive) != 0;
 }
 
@@ -113,8 +110,7 @@ Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, Experi
     const bool high = options.answer == 0;
     const bool bitZeroIsHigh = active[0] == high;
     const int reading = bitZeroIsHigh ? calibration::asLibrary : calibration::asDataSheet;
-    if (auto kept = board.knowledge().calibrate(calibration::inputReading, reading); !kept)
-        co_return fail(kept.error());
+    co_await board.knowledge().calibrate(calibration::inputReading, reading);
     ExperimentReport report;
     report.found.emplace_back(calibration::inputReading, reading);
     report.sentence = bitZeroIsHigh ? say("polarity 0 is active high: the board follows the maker's library")

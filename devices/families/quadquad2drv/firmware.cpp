@@ -103,8 +103,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if ((*link)->kind() != LinkKind::Serial)
         co_return refused(noWay());
     Updater updater(device, static_cast<SerialLink &>(**link), image, progress, *settings);
-    auto task = updater.run(options.dryRun);
-    UpdateReport report = co_await std::move(task);
+    UpdateReport report = co_await updater.run(options.dryRun);
     co_return report;
 }
 

@@ -89,8 +89,7 @@ Task<void> OrderQueue::work()
 {
     while (std::optional<Order> next = take()) {
         const std::uint64_t stops = m_stops;
-        auto obeying = obey(std::move(next->request));
-        const Result<void> obeyed = co_await std::move(obeying).attempt();
+        const Result<void> obeyed = co_await obey(std::move(next->request)).attempt();
         if (obeyed && next->accepted)
             next->accepted();
         if (obeyed || stops != m_stops)
@@ -106,11 +105,9 @@ Task<void> OrderQueue::obey(Bytes order)
 {
     PacketPort::Gate gate = [this, stops = m_stops] { return stops == m_stops; };
     if (!m_layout.tellsEverything()) {
-        auto telling = m_layout.tellEverything();
-        co_await std::move(telling);
+        co_await m_layout.tellEverything();
     }
-    auto asking = m_port.request(std::move(order), orderTries, std::move(gate));
-    co_await std::move(asking);
+    co_await m_port.request(std::move(order), orderTries, std::move(gate));
     co_return {};
 }
 

@@ -67,8 +67,7 @@ Task<void> PacketPort::searchStart()
 {
     co_await Sleep(m_clock, blindPause);
     for (std::size_t i = 0; i < blindBytes && m_reader.missing() == 0; ++i) {
-        auto one = clockOut(1);
-        co_await std::move(one);
+        co_await clockOut(1);
     }
     co_return {};
 }
@@ -81,19 +80,15 @@ Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
         if (m_clock.now() >= round.deadline)
             co_return fail(Fault::Timeout, say("the board did not answer"));
         if (const std::size_t missing = m_reader.missing(); missing > 0) {
-            auto rest = clockOut(missing);
-            co_await std::move(rest);
+            co_await clockOut(missing);
             continue;
         }
         if (blind) {
-            auto search = searchStart();
-            co_await std::move(search);
+            co_await searchStart();
             continue;
         }
-        auto waiting = m_link.waitReady(round.deadline - m_clock.now());
-        co_await std::move(waiting);
-        auto reading = clockOut(expected);
-        co_await std::move(reading);
+        co_await m_link.waitReady(round.deadline - m_clock.now());
+        co_await clockOut(expected);
     }
     co_return {};
 }
@@ -120,8 +115,7 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration pa
     if (!sent)
         co_return fail(sent.error());
     round.from = m_reader.fed();
-    auto listening = listenFor(round, replySize(request, m_masks));
-    const Result<void> heard = co_await std::move(listening).attempt();
+    const Result<void> heard = co_await listenFor(round, replySize(request, m_masks)).attempt();
     if (!heard) {
         m_reader.clear(); // half a packet must not eat the next one
         co_return fail(heard.error());
@@ -137,8 +131,7 @@ Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
     const Patience wanted
         = gate || tries == 1 ? Patience() : m_link.settings().patience; // an order to a motor, a poll: as they are
     for (int i = 0; i < wanted.tries(tries); ++i) {
-        auto asking = ask(request, gate, wanted.answer(answerTime));
-        Result<Packet> reply = co_await std::move(asking).attempt();
+        Result<Packet> reply = co_await ask(request, gate, wanted.answer(answerTime)).attempt();
         if (reply) {
             const auto code = returnCode(*reply);
             if (code == std::int8_t{0})
@@ -168,8 +161,7 @@ Task<void> PacketPort::takeWaiting()
 Task<void> PacketPort::fetch()
 {
     const Turns::Turn turn = co_await m_link.turns().take();
-    auto emptying = takeWaiting();
-    co_await std::move(emptying);
+    co_await takeWaiting();
     co_return {};
 }
 

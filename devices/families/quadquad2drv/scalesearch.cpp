@@ -42,15 +42,11 @@ ScaleSearch::ScaleSearch(
 
 Task<ExperimentReport> ScaleSearch::run()
 {
-    auto preparing = m_trial.prepare();
-    co_await std::move(preparing);
-    auto measuring = measureAll();
-    co_await std::move(measuring);
-    auto finishing = m_trial.finish();
-    co_await std::move(finishing);
+    co_await m_trial.prepare();
+    co_await measureAll();
+    co_await m_trial.finish();
     for (const auto &[key, scale] : m_report.found) {
-        if (auto kept = m_board.knowledge().calibrate(key, scale); !kept)
-            co_return fail(kept.error());
+        co_await m_board.knowledge().calibrate(key, scale);
     }
     if (m_trial.leavesStartGains())
         m_report.sentence
@@ -64,25 +60,21 @@ Task<void> ScaleSearch::measureAll()
     int phase = 0;
     const auto step = [&](const Message &what) { m_progress.step(what, phase++, phases); };
     step(say("turning the motor with several powers"));
-    auto plant = measurePlant();
-    co_await std::move(plant);
+    co_await measurePlant();
     step(say("looking for velocity P"));
-    auto velocityPs = findVelocityP();
-    m_velocityP = co_await std::move(velocityPs);
+    m_velocityP = co_await findVelocityP();
     found(calibration::velocityP, m_velocityP);
     step(say("looking for velocity I"));
     auto velocityIs = findVelocityI();
     found(calibration::velocityI, co_await std::move(velocityIs));
     step(say("looking for position P"));
-    auto positionPs = findPositionP();
-    m_positionP = co_await std::move(positionPs);
+    m_positionP = co_await findPositionP();
     found(calibration::positionP, m_positionP);
     step(say("looking for position I"));
     auto positionIs = findPositionI();
     found(calibration::positionI, co_await std::move(positionIs));
     step(say("looking for position D"));
-    auto positionDs = findPositionD();
-    if (const std::optional<double> scale = co_await std::move(positionDs))
+    if (const std::optional<double> scale = co_await findPositionD())
         found(calibration::positionD, *scale);
     else
         m_progress.log(
@@ -106,8 +98,7 @@ Task<void> ScaleSearch::measurePlant()
     for (const double level : limitLevels) {
         auto one = m_trial.powerStep(level * m_trial.mostPower());
         const PowerStep there = co_await std::move(one);
-        auto other = m_trial.powerStep(level * m_trial.mostPower());
-        const PowerStep back = co_await std::move(other);
+        const PowerStep back = co_await m_trial.powerStep(level * m_trial.mostPower());
         const double speed = (there.speed + back.speed) / 2.0;
         tell(say("power %1: %2 and %3 counts/s", std::round(level * m_trial.mostPower()), std::round(there.speed),
             std::round(back.speed)));
@@ -116,10 +107,8 @@ Task<void> ScaleSearch::measurePlant()
                 say("the shaft must be free, without load on one side"));
         steps.push_back({level * m_trial.mostPower(), speed, (there.lag + back.lag) / 2.0});
     }
-    const auto plant = fitPlant(steps);
-    if (!plant)
-        co_return fail(plant.error());
-    m_trial.setPlant(*plant);
+    const auto plant = co_await fitPlant(steps);
+    m_trial.setPlant(plant);
     tell(say("the motor gives %1 counts/s per power unit, friction takes %2 units, it follows within %3 ms",
         rounded(m_trial.plant().gain), std::round(m_trial.plant().friction), std::round(m_trial.plant().lag * 1000.0)));
     co_return {};
@@ -129,8 +118,7 @@ Task<int> ScaleSearch::firstGain(Run run, std::size_t which, double way)
 {
     for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
         run.gains[which] = gain;
-        auto driving = m_trial.drive(run);
-        const Track track = co_await std::move(driving);
+        const Track track = co_await m_trial.drive(run);
         if (track.way() >= way)
             co_return gain;
         if (gain == greatestGain)
@@ -159,8 +147,7 @@ Task<double> ScaleSearch::findVelocityP()
     const double aim = 0.8 * m_trial.plant().speedAt(m_trial.mostPower());
     auto first = firstGain({Loop::Velocity, {}, aim, 0.8, 0.0}, 0, 0.15 * aim);
     const int gain = co_await std::move(first);
-    auto rough = velocityP(gain, aim);
-    const double scale = co_await std::move(rough);
+    const double scale = co_await velocityP(gain, aim);
     const double middle = (0.5 * aim / m_trial.plant().gain + m_trial.plant().friction) / (scale * 0.5 * aim);
     std::vector<double> scales;
     int last = 0;
@@ -203,25 +190,21 @@ std::vector<double> ScaleSearch::termsOf(const Run &run, const Track &track, std
 
 Task<double> ScaleSearch::scaleAt(Run run, std::size_t which)
 {
-    auto driving = m_trial.drive(run);
-    const Track track = co_await std::move(driving);
+    const Track track = co_await m_trial.drive(run);
     Drive power{termsOf(run, track, which), {}, m_trial.mostPower()};
     if (which == 2) {
         power.others = termsOf(run, track, 0);
         for (double &other : power.others)
             other *= m_positionP;
     }
-    const auto fit = fitScale(m_trial.plant(), track, power);
-    if (!fit)
-        co_return fail(fit.error());
-    co_return fit->scale;
+    const auto fit = co_await fitScale(m_trial.plant(), track, power);
+    co_return fit.scale;
 }
 
 /// The I of a loop alone, at the first gain that goes the way, and at more.
 Task<double> ScaleSearch::findIntegral(Run run, double way)
 {
-    auto first = firstGain(run, 1, way);
-    const int gain = co_await std::move(first);
+    const int gain = co_await firstGain(run, 1, way);
     std::vector<double> scales;
     for (const double factor : {1.0, 1.5, 2.0}) {
         run.gains = {0, times(gain, factor), 0};
@@ -243,8 +226,7 @@ Task<double> ScaleSearch::findPositionP()
     Run run{Loop::Position, {}, aim, 1.5, 0.85 * aim};
     auto first = firstGain(run, 0, 0.15 * aim);
     run.gains[0] = co_await std::move(first);
-    auto rough = scaleAt(run, 0);
-    const double one = co_await std::move(rough);
+    const double one = co_await scaleAt(run, 0);
     std::vector<double> scales;
     for (const double part : {0.6, 0.8}) { // of the power at the start
         run.gains[0] = times(1, part * m_trial.mostPower() / (one * aim));
@@ -268,12 +250,10 @@ Task<std::optional<double>> ScaleSearch::findPositionD()
     const double aim = m_trial.plant().speedAt(m_trial.mostPower());
     const int p = times(1, 0.7 * m_trial.mostPower() / (m_positionP * aim));
     Run run{Loop::Position, {p, 0, 0}, aim, 0.8, 0.0};
-    auto freely = m_trial.drive(run);
-    const Track free = co_await std::move(freely);
+    const Track free = co_await m_trial.drive(run);
     for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
         run.gains[2] = gain;
-        auto driving = m_trial.drive(run);
-        const Track braked = co_await std::move(driving);
+        const Track braked = co_await m_trial.drive(run);
         if (braked.way() <= 0.65 * free.way())
             break;
         if (gain == greatestGain)
@@ -289,10 +269,8 @@ Task<std::optional<double>> ScaleSearch::findPositionD()
             scales.push_back(co_await std::move(measuring));
         }
     }
-    const auto mean = agreed(scales, 2.0 * integral);
-    if (!mean)
-        co_return fail(mean.error());
-    co_return std::optional<double>(*mean);
+    const auto mean = co_await agreed(scales, 2.0 * integral);
+    co_return std::optional<double>(mean);
 }
 
 Task<ExperimentReport> findGainScales(
@@ -301,8 +279,7 @@ Task<ExperimentReport> findGainScales(
     if (options.axis < 1 || options.axis > axes || !(options.power > 0.0) || options.power > 1.0)
         co_return fail(Fault::OutOfRange, say("an axis from 1 to 4 and a power limit above 0 are needed"));
     ScaleSearch search(static_cast<Controller &>(device), stream, options, progress);
-    auto running = search.run();
-    const ExperimentReport report = co_await std::move(running);
+    const ExperimentReport report = co_await search.run();
     co_return report;
 }
 

@@ -60,8 +60,7 @@ Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
         bool any = false;
     };
     Watching watching(sink);
-    auto scanning = scan(link, clock, watching);
-    co_await std::move(scanning);
+    co_await scan(link, clock, watching);
     if (!watching.any) {
         Identity silent;
         silent.family = "quadquad2drv";

@@ -177,8 +177,7 @@ Task<std::int64_t> readParameter(PacketPort &port, ParameterIndex index)
     }
     const auto axis = static_cast<std::size_t>(index.value / parametersPerAxis);
     if (static_cast<AxisParameter>(index.value % parametersPerAxis) == AxisParameter::DataMask) {
-        auto asking = port.request(getRequest(PacketId::GetDataMask));
-        const Packet reply = co_await std::move(asking);
+        const Packet reply = co_await port.request(getRequest(PacketId::GetDataMask));
         const auto masks = parseDataMasks(reply);
         if (!masks)
             co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
@@ -186,8 +185,7 @@ Task<std::int64_t> readParameter(PacketPort &port, ParameterIndex index)
     }
     std::array<std::uint8_t, axes> sizes{};
     sizes[axis] = datamask::positionSize;
-    auto asking = port.request(getPositions(sizes));
-    const Packet reply = co_await std::move(asking);
+    const Packet reply = co_await port.request(getPositions(sizes));
     const auto positions = parsePositions(reply, sizes);
     if (!positions)
         co_return fail(Fault::BadReply, say("the positions have an unexpected length"));

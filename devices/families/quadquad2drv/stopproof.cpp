@@ -42,8 +42,7 @@ Task<void> StopProof::confirm()
     for (int i = 0, answered = 0; i < stopTries && stops == m_stops; ++i) {
         if (m_unanswered >= triesBeforeReset && !std::exchange(m_resetTried, true))
             m_reset();
-        auto asking = m_port.request(setControlMode(allAxes, ControlMode::Off), 1);
-        const Result<Packet> reply = co_await std::move(asking).attempt();
+        const Result<Packet> reply = co_await m_port.request(setControlMode(allAxes, ControlMode::Off), 1).attempt();
         answered = reply ? answered + 1 : 0;
         m_unanswered = reply ? 0 : m_unanswered + 1;
         if (answered == 2) {

@@ -107,23 +107,18 @@ Task<UpdateReport> Updater::run(bool dryRun)
         co_return m_report;
     }
     m_progress.replaces(m_report.from);
-    auto opening = openLine();
-    Result<void> done = co_await std::move(opening).attempt();
+    Result<void> done = co_await openLine().attempt();
     if (done) {
-        auto waiting = awaitBanner();
-        done = co_await std::move(waiting).attempt();
+        done = co_await awaitBanner().attempt();
     }
     if (done) {
-        auto sending = sendAll();
-        done = co_await std::move(sending).attempt();
+        done = co_await sendAll().attempt();
     }
     if (done) {
-        auto leaving = leave();
-        done = co_await std::move(leaving).attempt();
+        done = co_await leave().attempt();
     }
     if (done) {
-        auto verifying = verify();
-        done = co_await std::move(verifying).attempt();
+        done = co_await verify().attempt();
     }
     if (!done)
         co_return failed(done.error());
@@ -133,11 +128,9 @@ Task<UpdateReport> Updater::run(bool dryRun)
 Task<void> Updater::openLine()
 {
     if (!m_link.fixedBaudrate()) {
-        if (auto set = m_link.setBaudrate(m_settings.baudrate); !set)
-            co_return fail(set.error());
+        co_await m_link.setBaudrate(m_settings.baudrate);
     }
-    auto opening = m_link.openSoon();
-    co_await std::move(opening);
+    co_await m_link.openSoon();
     co_return {};
 }
 
@@ -152,8 +145,7 @@ Task<void> Updater::awaitBanner()
     resetBoard();
     const Instant deadline = m_clock.now() + m_settings.bannerTime;
     while (m_clock.now() < deadline) {
-        auto listening = m_console.line(deadline - m_clock.now());
-        const Result<std::string> text = co_await std::move(listening).attempt();
+        const Result<std::string> text = co_await m_console.line(deadline - m_clock.now()).attempt();
         if (!text && text.error().fault != Fault::Timeout)
             co_return fail(text.error());
         if (!text)
@@ -193,13 +185,11 @@ Task<void> Updater::sendLine(std::size_t index)
     const Instant begin = m_clock.now();
     const std::string &text = m_image.lines()[index];
     tell(text);
-    if (auto sent = m_console.send(text); !sent)
-        co_return fail(sent.error());
+    co_await m_console.send(text);
     bool confirmed = false;
     while (!confirmed) {
         const Duration left = begin + m_settings.answerTime - m_clock.now();
-        auto listening = m_console.line(std::max<Duration>(left, 1ms));
-        const Result<std::string> answer = co_await std::move(listening).attempt();
+        const Result<std::string> answer = co_await m_console.line(std::max<Duration>(left, 1ms)).attempt();
         const Message line = say("line %1", index + 1);
         if (!answer && answer.error().fault == Fault::Timeout)
             co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
@@ -241,8 +231,7 @@ Task<void> Updater::leave()
     enter(Step::OpenJumper);
     if (!m_settings.farewell.empty()) {
         tell(m_settings.farewell);
-        if (auto sent = m_console.send(m_settings.farewell); !sent)
-            co_return fail(sent.error());
+        co_await m_console.send(m_settings.farewell);
     }
     m_progress.step(say("take the jumper out; the board is asked for its version"), 0, 0);
     co_await Sleep(
@@ -270,8 +259,7 @@ Task<void> Updater::verify()
             resetBoard();
             co_await Sleep(m_clock, resetTime);
         }
-        auto asking = m_device.refresh();
-        const Result<void> answered = co_await std::move(asking).attempt();
+        const Result<void> answered = co_await m_device.refresh().attempt();
         if (answered) {
             leaveStep(Step::OpenJumper);
             leaveStep(Step::Compare);

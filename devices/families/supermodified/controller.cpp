@@ -268,17 +268,14 @@ void Controller::updateLiveness()
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized()) {
-        if (auto bearable = m_motion.bounds().checkGain(raw, m_motion.count().error()); !bearable)
-            co_return fail(bearable.error());
+        co_await m_motion.bounds().checkGain(raw, m_motion.count().error());
     }
-    auto writing = m_settings.write(index, raw);
-    co_return co_await std::move(writing);
+    co_return co_await m_settings.write(index, raw);
 }
 
 Task<void> Controller::refresh()
 {
-    auto asking = interview(*m_line, m_node);
-    const Interview said = co_await std::move(asking);
+    const Interview said = co_await interview(*m_line, m_node);
     if (m_presence.hasRestarted())
         m_settings.restarted();
     m_presence.refreshed();
@@ -299,19 +296,16 @@ Task<bool> Controller::store(Progress &)
 /// Errors come by themselves, in place of answers; a reading makes sure that none waits.
 Task<std::vector<FaultRecord>> Controller::readFaults()
 {
-    auto task = m_settings.talk(asking(m_node, Command::GetPosition));
-    (void)co_await std::move(task);
+    (void)co_await m_settings.talk(asking(m_node, Command::GetPosition));
     co_return m_codes.records();
 }
 
 Task<std::vector<FaultRecord>> Controller::clearFaults()
 {
     if (m_node.dialect == Dialect::D3) {
-        auto resetting = m_settings.talk(asking(m_node, Command::ResetErrors));
-        (void)co_await std::move(resetting);
+        (void)co_await m_settings.talk(asking(m_node, Command::ResetErrors));
     } else {
-        auto task = m_settings.talk(asking(m_node, Command::GetPosition));
-        (void)co_await std::move(task);
+        (void)co_await m_settings.talk(asking(m_node, Command::GetPosition));
     }
     const std::vector<FaultRecord> were = m_codes.records();
     m_codes.clear();
@@ -333,16 +327,14 @@ Task<void> Controller::zeroPosition()
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)
             co_return fail(Fault::Unsafe,
                 say("the stop was not acknowledged, so the position was not reset: a motor that runs would jump"));
-        Sleep nap(clock(), lookAgain);
-        co_await nap;
+        co_await Sleep(clock(), lookAgain);
     }
     if (const Message lock = m_line->roster().lockOf(m_node.id); !lock.empty())
         co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
     if (!m_motion.isKnownOff()) // README.md#hang
         co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));
     const auto zeroes = qScopeGuard([this] { gate().originMoved(); }); // also when nobody knows whether it was
-    auto resetting = m_settings.talk(asking(m_node, Command::ResetPosition));
-    (void)co_await std::move(resetting);
+    (void)co_await m_settings.talk(asking(m_node, Command::ResetPosition));
     m_presence.zeroed();
     m_motion.count().zeroed();
     m_polls.zeroed();
@@ -365,8 +357,7 @@ Task<void> Controller::renumber(int address)
 {
     if (address < lowestNode || address > highestNode)
         co_return fail(Fault::OutOfRange, say("a node id is 1 … 127"));
-    auto writing = write(*parameterWithId(id::nodeId), address);
-    (void)co_await std::move(writing);
+    (void)co_await write(*parameterWithId(id::nodeId), address);
     co_return {};
 }
 

@@ -58,8 +58,7 @@ public:
     {
         Result<void> opened;
         if (m_shared) {
-            auto opening = m_link.openSoon();
-            opened = co_await std::move(opening).attempt();
+            opened = co_await m_link.openSoon().attempt();
         }
         m_ended = true;
         m_device.setAsleep(false);
@@ -134,8 +133,7 @@ Task<avrdude::Reading> program(Controller &device, avrdude::Job job, Progress &p
         co_return fail(
             Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
     if (!job.isBootloader()) {
-        auto run = runOnce(device, job, progress);
-        Attempt attempt = co_await std::move(run);
+        Attempt attempt = co_await runOnce(device, job, progress);
         if (attempt.error)
             co_return fail(*attempt.error);
         co_return std::move(attempt.reading);
@@ -143,8 +141,7 @@ Task<avrdude::Reading> program(Controller &device, avrdude::Job job, Progress &p
     Error last{Fault::Timeout, say("no bootloader answers")};
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
-        auto run = runOnce(device, job, progress);
-        Attempt attempt = co_await std::move(run);
+        Attempt attempt = co_await runOnce(device, job, progress);
         if (!attempt.error)
             co_return std::move(attempt.reading);
         last = *attempt.error;
@@ -216,29 +213,22 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
     auto &controller = static_cast<Controller &>(device);
-    auto job = avrdude::jobOf(options.via);
-    if (!job)
-        co_return fail(job.error());
+    auto job = co_await avrdude::jobOf(options.via);
     if (!options.target.empty())
         co_return fail(
             Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
-    if (auto ready = preflight(controller, image, *job); !ready)
-        co_return fail(ready.error());
+    co_await preflight(controller, image, job);
     if (options.dryRun) {
         UpdateReport report;
         report.outcome = UpdateOutcome::Done;
         report.evidence = say("dry run: %1 pages would be written", inspect(image)->parts.size());
         co_return report;
     }
-    const auto file = hexFileFor(image, "avrdude");
-    if (!file)
-        co_return fail(file.error());
-    job->file = (*file)->fileName().toStdString();
-    PortLease lease(controller, job->port);
-    auto programming = program(controller, *job, progress);
-    const auto programmed = co_await std::move(programming).attempt();
-    auto ending = lease.end();
-    const auto opened = co_await std::move(ending).attempt();
+    const auto file = co_await hexFileFor(image, "avrdude");
+    job.file = file->fileName().toStdString();
+    PortLease lease(controller, job.port);
+    const auto programmed = co_await program(controller, job, progress).attempt();
+    const auto opened = co_await lease.end().attempt();
     if (!programmed)
         co_return fail(programmed.error());
     progress.accepted(static_cast<int>(inspect(image)->parts.size()), 0);
@@ -247,8 +237,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
             say("avrdude read back all %1 bytes and they are equal, but the port is away", image.byteCount())));
     progress.step(say("Looking for the controller"), 1, 1);
     progress.mayInterrupt(true);
-    auto asking = answersAgain(device);
-    const bool answered = co_await std::move(asking);
+    const bool answered = co_await answersAgain(device);
     co_return reportOf(device, image, answered);
 }
 

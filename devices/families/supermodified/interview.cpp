@@ -15,16 +15,13 @@ constexpr std::string_view unread = "unknown";
 /// The dialect by the lengths of three replies; nothing when the node refuses, or they contradict each other.
 Task<std::optional<Dialect>> detect(Line &line, Node node, CodeSink codes)
 {
-    auto first = converse(line, asking(node, Command::GetPosition), codes);
-    const Frame position = co_await std::move(first);
+    const Frame position = co_await converse(line, asking(node, Command::GetPosition), codes);
     const auto third = isThirdGeneration(position);
     if (!third)
         co_return std::optional<Dialect>();
-    auto second = converse(line, asking(node, Command::GetVelocity), codes);
-    const Frame velocity = co_await std::move(second);
+    const Frame velocity = co_await converse(line, asking(node, Command::GetVelocity), codes);
     const auto dialect = *third ? std::optional(Dialect::D3) : dialectByVelocity(velocity);
-    auto last = converse(line, asking(node, Command::GetProfileAcceleration), codes);
-    const Frame acceleration = co_await std::move(last);
+    const Frame acceleration = co_await converse(line, asking(node, Command::GetProfileAcceleration), codes);
     const bool agrees = dialect && acceleration.size == sizeOf(formatOf(Command::GetProfileAcceleration, *dialect));
     co_return agrees ? dialect : std::nullopt;
 }
@@ -43,8 +40,7 @@ Task<std::optional<std::int64_t>> numberOf(Line &line, Node node, Command comman
 Task<void> readBounds(Line &line, Node node, Interview &said)
 {
     const auto formatIn = [&node](Command command) { return formatOf(command, *node.dialect); };
-    auto first = numberOf(line, node, Command::GetP, formatIn(Command::GetP));
-    said.gainP = co_await std::move(first);
+    said.gainP = co_await numberOf(line, node, Command::GetP, formatIn(Command::GetP));
     auto second = numberOf(line, node, Command::GetProfileVelocity, formatIn(Command::GetProfileVelocity));
     said.profileVelocity = co_await std::move(second);
     auto third = numberOf(line, node, Command::GetProfileAcceleration, formatIn(Command::GetProfileAcceleration));
@@ -74,21 +70,18 @@ Task<Interview> interview(Line &line, Node node)
     Interview said;
     std::uint8_t last = 0;
     CodeSink note = [&last](std::span<const std::uint8_t> codes) { last = codes.back(); };
-    auto detecting = detect(line, node, note);
-    const auto dialect = co_await std::move(detecting).attempt();
+    const auto dialect = co_await detect(line, node, note).attempt();
     if (!dialect && dialect.error().fault != Fault::Refused)
         co_return fail(dialect.error());
     said.levelOne = !dialect && last == code::invalidGetCount;
     said.dialect = dialect.value_or(std::nullopt);
     if (!said.levelOne) { // one byte in every dialect
-        auto reading = numberOf(line, node, Command::GetNodeMask, Format::U8);
-        if (const auto mask = co_await std::move(reading); mask)
+        if (const auto mask = co_await numberOf(line, node, Command::GetNodeMask, Format::U8); mask)
             said.mask = static_cast<std::uint8_t>(*mask);
     }
     if (said.dialect) {
         node.dialect = said.dialect;
-        auto reading = readBounds(line, node, said);
-        co_await std::move(reading);
+        co_await readBounds(line, node, said);
     }
     keep(line.roster(), node, said);
     co_return said;

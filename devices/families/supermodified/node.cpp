@@ -61,8 +61,7 @@ Task<Frame> converse(Line &line, Line::Request request, CodeSink codes, int trie
     Error last{Fault::Timeout, say("no answer")};
     int verdicts = 0;
     for (int attempt = 0; attempt < line.link().settings().patience.tries(tries); ++attempt) {
-        auto asking = ask(line, request);
-        const Result<Frame> reply = co_await std::move(asking).attempt();
+        const Result<Frame> reply = co_await ask(line, request).attempt();
         if (!reply && reply.error().fault != Fault::Timeout)
             co_return fail(reply.error());
         if (!reply) {

@@ -28,8 +28,7 @@ Task<std::int64_t> NodeSettings::readNumber(Command command)
     if (!m_node.dialect)
         co_return fail(Fault::Unsupported, say("its dialect is not known"));
     const Format format = formatOf(command, *m_node.dialect);
-    auto task = talk(asking(m_node, command));
-    const Frame reply = co_await std::move(task);
+    const Frame reply = co_await talk(asking(m_node, command));
     const auto value = valueOf(reply.payload(), format);
     if (!value)
         co_return fail(Fault::BadReply, say("an answer of %1 bytes", reply.size));
@@ -46,8 +45,7 @@ Task<std::int64_t> NodeSettings::read(ParameterIndex index)
     const auto getter = getterOf(row);
     if (!getter || !offers(index))
         co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
-    auto reading = readNumber(*getter);
-    const Result<std::int64_t> raw = co_await std::move(reading).attempt();
+    const Result<std::int64_t> raw = co_await readNumber(*getter).attempt();
     if (!raw)
         co_return fail(raw.error().about(row.key));
     noteRead(row, *raw);
@@ -59,12 +57,9 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
     Node node = m_node;
     if (!node.dialect && command == Command::ErrorLevel)
         node.dialect = Dialect::D1; // the way out of level 1; D3 refuses the short form
-    auto request = setting(node, command, raw);
-    if (!request)
-        co_return fail(request.error());
+    auto request = co_await setting(node, command, raw);
     m_line.roster().noteSetting(m_node.id, command, std::nullopt); // a write that is broken off may be in the node
-    auto task = talk(*request);
-    (void)co_await std::move(task);
+    (void)co_await talk(request);
     co_return {};
 }
 
@@ -72,19 +67,15 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
 Task<void> NodeSettings::writeDuration(std::int64_t raw)
 {
     if (m_node.dialect == Dialect::D3) {
-        auto writing = writeNumber(Command::CurrentLimitDuration, raw);
-        co_await std::move(writing);
+        co_await writeNumber(Command::CurrentLimitDuration, raw);
         co_return {};
     }
     if (!m_owedLimit) { // else what it reports is the last duration
-        auto reading = readNumber(Command::GetCurrentLimit);
-        m_owedLimit = co_await std::move(reading);
+        m_owedLimit = co_await readNumber(Command::GetCurrentLimit);
     }
     const std::int64_t limit = *m_owedLimit;
-    auto writing = writeNumber(Command::CurrentLimitDuration, raw);
-    co_await std::move(writing);
-    auto again = writeNumber(Command::CurrentLimit, limit);
-    const Result<void> restored = co_await std::move(again).attempt();
+    co_await writeNumber(Command::CurrentLimitDuration, raw);
+    const Result<void> restored = co_await writeNumber(Command::CurrentLimit, limit).attempt();
     if (restored)
         m_owedLimit.reset();
     else
@@ -113,8 +104,7 @@ Task<std::int64_t> NodeSettings::write(ParameterIndex index, std::int64_t raw)
     if (!offers(index))
         co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
     if (row.id == id::nodeId && raw != m_node.id) {
-        auto looking = isTaken(static_cast<int>(raw));
-        if (co_await std::move(looking))
+        if (co_await isTaken(static_cast<int>(raw)))
             co_return fail(Fault::Refused, say("node id %1 is used by another node of this line", raw));
     }
     auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);

@@ -108,8 +108,7 @@ Task<void> Search::askSilent(std::vector<Place> known)
         const bool recalled = std::ranges::find(m_recalled, place.second) != m_recalled.end();
         const auto isThere = [&] { return std::ranges::find(m_found, place.second) != m_found.end(); };
         for (int attempt = 1; attempt < attemptsForOne && !recalled && !isThere(); ++attempt) {
-            auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
-            co_await std::move(looking);
+            co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
         }
         if (!isThere() && !m_line->driven().any())
             m_line->roster().forget(place.second);
@@ -154,15 +153,13 @@ Task<bool> Search::look(Place place, Duration patience)
     request.patience = patience;
     if (node.id == m_line->roster().hostId()) // a node with the host's own id can be asked under another one only
         request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
-    auto question = ask(*m_line, request);
-    const Result<Frame> reply = co_await std::move(question).attempt();
+    const Result<Frame> reply = co_await ask(*m_line, request).attempt();
     if (!reply && reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
     if (!reply)
         co_return false;
     m_line->roster().note(node.id, node.baudrate);
-    auto talk = interview(*m_line, node);
-    const Result<Interview> said = co_await std::move(talk).attempt();
+    const Result<Interview> said = co_await interview(*m_line, node).attempt();
     if (!said && said.error().fault == Fault::LinkLost)
         co_return fail(said.error());
     if (!said)
@@ -188,8 +185,7 @@ Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
         auto looking = look(place, patiently ? answerTime : silence());
         co_await std::move(looking);
     }
-    auto again = lookAtLate();
-    co_await std::move(again);
+    co_await lookAtLate();
     co_return {};
 }
 
@@ -210,8 +206,7 @@ Task<void> Search::lookAtLate()
         for (const Place &place : std::exchange(m_late, {})) {
             if (std::ranges::find(m_found, place.second) != m_found.end())
                 continue;
-            auto looking = look(place, AnswerTime::ceiling);
-            co_await std::move(looking);
+            co_await look(place, AnswerTime::ceiling);
         }
     }
     co_return {};
@@ -222,10 +217,8 @@ Task<void> Search::run()
     recall();
     std::vector<int> searched = rates();
     const std::vector<Place> known = knownAt(searched);
-    auto again = lookAll(known, true);
-    co_await std::move(again);
-    auto silent = askSilent(known);
-    co_await std::move(silent);
+    co_await lookAll(known, true);
+    co_await askSilent(known);
     forgetSilent();
     const bool allThere = !known.empty() && m_found.size() == known.size();
     if (allThere)
@@ -236,17 +229,14 @@ Task<void> Search::run()
         plan(rate, usualHostId, usualHostId, usual);
         plan(rate, firstUsual, lastUsual, usual);
     }
-    auto looking = lookAll(std::move(usual));
-    co_await std::move(looking);
+    co_await lookAll(std::move(usual));
     if (!m_found.empty())
         keepFoundRates(searched);
     if (!allThere || m_sink.extent() != ScanExtent::Quick) {
-        auto rest = lookAtRest(searched);
-        co_await std::move(rest);
+        co_await lookAtRest(searched);
     }
     if (m_sink.extent() == ScanExtent::Everything) {
-        auto everywhere = lookEverywhere();
-        co_await std::move(everywhere);
+        co_await lookEverywhere();
     }
     report(say("Supermodified found: %1", m_found.size()), 1, 1);
     co_return {};
@@ -258,8 +248,7 @@ Task<void> Search::lookAtRest(std::vector<int> rates)
     std::vector<Place> rest;
     for (const int rate : rates)
         plan(rate, lowestNode, highestNode, rest);
-    auto looking = lookAll(std::move(rest));
-    co_await std::move(looking);
+    co_await lookAll(std::move(rest));
     co_return {};
 }
 
@@ -303,14 +292,12 @@ Task<void> Search::runFor(int address)
         plan(rate, address, address, places);
     for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // silence is asked again
         for (const Place &place : places) {
-            auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
-            if (co_await std::move(looking))
+            if (co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling)))
                 break;
         }
     }
     if (!m_found.empty()) {
-        auto learning = learnOthers(address);
-        co_await std::move(learning);
+        co_await learnOthers(address);
     }
     std::erase_if(m_recalled, [address](int id) { return id != address; }); // of the others nothing is known
     forgetSilent();
@@ -344,11 +331,9 @@ Task<bool> Search::learnMask(Node node)
 {
     Line::Request request = asking(node, Command::GetNodeMask);
     request.patience = m_line->roster().nodes().contains(node.id) ? answerTime : silence();
-    auto question = ask(*m_line, request);
-    Result<Frame> reply = co_await std::move(question).attempt();
+    Result<Frame> reply = co_await ask(*m_line, request).attempt();
     if (reply && codesOf(*reply)) { // it is there, and had something to tell first
-        auto again = ask(*m_line, request);
-        reply = co_await std::move(again).attempt();
+        reply = co_await ask(*m_line, request).attempt();
     }
     if (!reply && reply.error().fault == Fault::LinkLost)
         co_return fail(reply.error());
@@ -371,8 +356,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     if (!serial)
         co_return fail(Fault::Unsupported, say("Supermodified controllers are found on serial links only"));
     Search search(Line::of(*serial, clock), sink);
-    auto searching = search.run();
-    co_await std::move(searching);
+    co_await search.run();
     co_return {};
 }
 
@@ -384,8 +368,7 @@ Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
     if (address < lowestNode || address > highestNode)
         co_return {};
     Search search(Line::of(*serial, clock), sink);
-    auto searching = search.runFor(address);
-    co_await std::move(searching);
+    co_await search.runFor(address);
     co_return {};
 }
 

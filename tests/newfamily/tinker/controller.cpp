@@ -65,16 +65,14 @@ private:
             const auto value = valueOf(frame, unit);
             return value && value->number == number;
         };
-        auto asking = answer(request, std::move(match));
-        const CanFrame frame = co_await std::move(asking);
+        const CanFrame frame = co_await answer(request, std::move(match));
         co_return valueOf(frame, address())->raw;
     }
 
     Task<void> refresh() override
     {
         CanInbox::Match match = [unit = address()](const CanFrame &frame) { return hereOf(frame, unit).has_value(); };
-        auto asking = answer(ask(Message::Who, 0), std::move(match));
-        const CanFrame frame = co_await std::move(asking);
+        const CanFrame frame = co_await answer(ask(Message::Who, 0), std::move(match));
         setIdentity(identityOf(address(), *hereOf(frame, address())));
         co_return {};
     }
@@ -90,8 +88,7 @@ private:
     Task<bool> store(Progress &) override
     {
         CanInbox::Match match = [unit = address()](const CanFrame &frame) { return hereOf(frame, unit).has_value(); };
-        auto asking = answer(ask(Message::Store, address()), std::move(match));
-        const CanFrame frame = co_await std::move(asking);
+        const CanFrame frame = co_await answer(ask(Message::Store, address()), std::move(match));
         (void)frame;
         co_return true;
     }

@@ -77,8 +77,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     report.from = device.identity().firmware;
     const int unit = device.identity().address;
     progress.part(0, PartState::Active);
-    auto loading = deliver(device, ask(Message::Load, unit), wholeProgram);
-    co_await std::move(loading);
+    co_await deliver(device, ask(Message::Load, unit), wholeProgram);
     progress.part(0, PartState::Done);
     progress.part(1, PartState::Active);
     const auto bytes = static_cast<int>(image.byteCount());
@@ -89,14 +88,11 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         std::array<std::uint8_t, pieceSize> four{};
         image.overlay(at, four);
         const auto place = static_cast<std::uint16_t>(at);
-        auto delivering = deliver(device, piece(unit, place, four), place);
-        co_await std::move(delivering);
+        co_await deliver(device, piece(unit, place, four), place);
         progress.step(say("sending"), sent += pieceSize, bytes);
     }
-    auto running = deliver(device, ask(Message::Run, unit), wholeProgram);
-    co_await std::move(running);
-    auto asking = device.refresh();
-    co_await std::move(asking);
+    co_await deliver(device, ask(Message::Run, unit), wholeProgram);
+    co_await device.refresh();
     report.to = device.identity().firmware;
     report.verified = report.to == summary->version;
     report.outcome = report.verified ? UpdateOutcome::Done : UpdateOutcome::Failed;
