@@ -6,8 +6,6 @@
 #include <QCoreApplication>
 #include <QDir>
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 

@@ -10,7 +10,6 @@
 #include <QFileInfo>
 #include <QSocketNotifier>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>

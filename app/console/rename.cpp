@@ -4,7 +4,6 @@
 #include "app/console/verb.h"
 #include "model/unit.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace mb::console {

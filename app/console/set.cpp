@@ -8,7 +8,6 @@
 #include "settings/storing.h"
 #include "settings/writing.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace mb::console {

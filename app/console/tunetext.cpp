@@ -10,7 +10,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <array>
 #include <cmath>
 
 namespace mb::console {

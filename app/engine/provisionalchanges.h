@@ -7,7 +7,6 @@
 #include "widgets/orders/settingsorders.h"
 
 #include <list>
-#include <memory>
 
 namespace mb {
 

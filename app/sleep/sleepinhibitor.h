@@ -4,8 +4,6 @@
 #include "async/listeners.h"
 #include "async/message.h"
 
-#include <string>
-
 namespace mb {
 
 /// Can keep the computer from being suspended. One thread.

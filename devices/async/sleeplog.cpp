@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/sleeplog.h"
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 

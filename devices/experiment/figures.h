@@ -4,7 +4,6 @@
 #include "model/parameterfile.h"
 
 #include <cmath>
-#include <string>
 
 namespace mb::tuning {
 

@@ -7,7 +7,6 @@
 #include "model/trialtraits.h"
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace mb::tuning {

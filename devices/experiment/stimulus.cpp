@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 namespace mb::tuning {
 namespace {

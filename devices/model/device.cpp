@@ -3,8 +3,6 @@
 
 #include "model/family.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace mb {

@@ -2,7 +2,6 @@
 #include "model/devicebook.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace mb {
 namespace {

@@ -5,7 +5,6 @@
 #include "model/motionguard.h"
 
 #include <memory>
-#include <string>
 
 namespace mb {
 

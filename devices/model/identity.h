@@ -4,7 +4,6 @@
 #include "async/result.h"
 #include "transport/linkaddress.h"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>

@@ -11,7 +11,6 @@
 #include <list>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace mb {

@@ -6,7 +6,6 @@
 #include "model/setpointslew.h"
 
 #include <map>
-#include <memory>
 
 namespace mb {
 

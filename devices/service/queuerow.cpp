@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/queuerow.h"
 
-#include <array>
-
 namespace mb::service {
 
 RowState stateOf(Outcome outcome)

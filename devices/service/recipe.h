@@ -8,7 +8,6 @@
 #include <QByteArray>
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 

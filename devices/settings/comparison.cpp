@@ -6,7 +6,6 @@
 
 #include <QJsonDocument>
 
-#include <array>
 #include <cmath>
 
 namespace mb::settings {

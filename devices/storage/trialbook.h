@@ -7,8 +7,6 @@
 #include "storage/database.h"
 #include "tuning/kepttuning.h"
 
-#include <optional>
-
 namespace mb {
 
 /// The notebook: every experiment, kept for good, also those that nobody saw end. A row is there before its experiment begins.

@@ -3,8 +3,6 @@
 
 #include "files/qttext.h"
 
-#include <array>
-
 namespace mb {
 namespace {
 

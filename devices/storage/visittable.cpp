@@ -9,7 +9,6 @@
 #include <QJsonDocument>
 #include <QSqlQuery>
 
-#include <algorithm>
 #include <map>
 
 namespace mb {

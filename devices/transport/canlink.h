@@ -6,7 +6,6 @@
 #include "transport/priority.h"
 #include "wire/canerror.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 

@@ -4,7 +4,6 @@
 #include "tuning/tunereport.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace mb::tuning {

@@ -3,8 +3,6 @@
 
 #include "tuning/autotune.h"
 
-#include <vector>
-
 namespace mb {
 
 /// A tuning as it is kept in the notebook: what it stands on and what came of it. Of the trials of its proof those that are still

@@ -3,8 +3,6 @@
 
 #include "tuning/tunereport.h"
 
-#include <string_view>
-
 namespace mb::tuning {
 
 /// A number of the model that a tuning stands on. Of a unit of SI, of full duty, or of MotorFound::unit.

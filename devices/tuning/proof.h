@@ -6,7 +6,6 @@
 #include "tuning/simulatedloop.h"
 #include "tuning/velocityfilter.h"
 
-#include <string>
 #include <vector>
 
 namespace mb::tuning {

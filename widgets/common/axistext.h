@@ -6,9 +6,7 @@
 
 #include <QString>
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 namespace mb {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/linkload.h"
 
-#include <cmath>
 #include <limits>
 
 namespace mb {

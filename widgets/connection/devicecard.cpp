@@ -15,8 +15,6 @@
 #include "widgets/connection/axiscells.h"
 #include "widgets/connection/recentvalues.h"
 
-#include <cmath>
-
 namespace mb {
 namespace {
 

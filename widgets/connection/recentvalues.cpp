@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/recentvalues.h"
 
-#include <cmath>
-
 namespace mb {
 namespace {
 

@@ -10,9 +10,6 @@
 #include <QJsonObject>
 #include <QLockFile>
 
-#include <array>
-#include <utility>
-
 namespace mb {
 namespace {
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <string>
 
 namespace mb {
 namespace {

@@ -6,7 +6,6 @@
 #include <QString>
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace mb {

@@ -18,7 +18,6 @@
 #include <QLineEdit>
 #include <QMenu>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

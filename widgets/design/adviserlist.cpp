@@ -14,8 +14,6 @@
 
 #include <QPushButton>
 
-#include <cmath>
-
 namespace mb {
 namespace {
 

@@ -14,7 +14,6 @@
 
 #include <QHBoxLayout>
 
-#include <algorithm>
 #include <cmath>
 
 namespace mb {

@@ -11,8 +11,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 

@@ -5,8 +5,6 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/parameters/leap.h"
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 

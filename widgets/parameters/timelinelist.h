@@ -7,7 +7,6 @@
 
 #include <QListWidget>
 
-#include <map>
 #include <vector>
 
 namespace mb {

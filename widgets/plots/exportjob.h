@@ -7,7 +7,6 @@
 #include <QString>
 
 #include <atomic>
-#include <memory>
 #include <thread>
 
 namespace mb {

@@ -8,8 +8,6 @@
 #include <QContextMenuEvent>
 #include <QPainter>
 
-#include <algorithm>
-
 namespace mb {
 namespace {
 

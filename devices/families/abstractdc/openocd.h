@@ -6,7 +6,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 /// OpenOCD as the programmer of the drive: what it is asked for, and what its lines mean
 /// (README.md#firmware). Pure functions.

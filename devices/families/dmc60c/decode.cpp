@@ -7,7 +7,6 @@
 #include "wire/fixedpoint.h"
 
 #include <algorithm>
-#include <array>
 
 namespace mb::dmc60c {
 namespace {

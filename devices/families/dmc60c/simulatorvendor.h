@@ -4,7 +4,6 @@
 #include "async/clock.h"
 #include "families/dmc60c/simulatormemory.h"
 
-#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>

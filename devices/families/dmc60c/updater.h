@@ -4,8 +4,6 @@
 #include "families/dmc60c/pagewriter.h"
 #include "model/family.h"
 
-#include <vector>
-
 namespace mb::dmc60c {
 
 /// One firmware update of one device: the state of README.md#updates, and a method per paragraph. A link that is lost meanwhile is

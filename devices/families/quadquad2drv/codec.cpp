@@ -5,7 +5,6 @@
 #include "wire/fixedpoint.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace mb::quadquad2drv {

@@ -3,7 +3,6 @@
 
 #include "async/result.h"
 
-#include <functional>
 #include <vector>
 
 namespace mb::quadquad2drv {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
-#include <string_view>
 
 /// Names and numbers of the QuadQuad2Drv's SPI packets.
 /// The only header that host and simulator share.

@@ -10,7 +10,6 @@
 
 #include <functional>
 #include <list>
-#include <memory>
 #include <vector>
 
 namespace mb::quadquad2drv::simulation {

@@ -5,7 +5,6 @@
 #include "transport/backends/ptyline.h"
 #include "transport/seriallink.h"
 
-#include <map>
 #include <memory>
 #include <string>
 

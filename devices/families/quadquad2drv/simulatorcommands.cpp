@@ -3,8 +3,6 @@
 
 #include "wire/bytes.h"
 
-#include <algorithm>
-
 namespace mb::quadquad2drv::simulation {
 namespace {
 

@@ -6,7 +6,6 @@
 #include "transport/spilink.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace mb::quadquad2drv {

@@ -7,7 +7,6 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 /// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state.

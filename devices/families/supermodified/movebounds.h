@@ -6,7 +6,6 @@
 #include "model/setpoint.h"
 
 #include <optional>
-#include <string>
 
 namespace mb::supermodified {
 

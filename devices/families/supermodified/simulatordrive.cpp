@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/simulatordrive.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace mb::supermodified::simulation {

@@ -2,7 +2,6 @@
 #include "families/supermodified/simulatorunit.h"
 
 #include <algorithm>
-#include <array>
 
 namespace mb::supermodified::simulation {
 namespace {

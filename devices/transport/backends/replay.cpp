@@ -4,7 +4,6 @@
 #include "wire/number.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace mb {
