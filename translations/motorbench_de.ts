@@ -1768,40 +1768,12 @@
 <context>
     <name>mb::AgainstView</name>
     <message>
-        <source>Export plot</source>
-        <translation>Kurve exportieren</translation>
-    </message>
-    <message>
         <source>plot written to %1</source>
         <translation>Kurve geschrieben nach %1</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>PNG exportieren…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>PNG-Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>SVG exportieren…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG-Zeichnung (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>PDF exportieren…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>PDF-Dokument (*.pdf)</translation>
     </message>
     <message>
         <source>One signal against another</source>
@@ -2685,10 +2657,6 @@
         <translation>%1 schreiben</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+S</source>
-        <translation>Vorgemerkte Änderungen schreiben  Strg+S</translation>
-    </message>
-    <message>
         <source>Each value is written. None can be read back: what stands here then is assumed.</source>
         <translation>Jeder Wert wird geschrieben. Keiner kann zurückgelesen werden: Was dann hier steht, ist angenommen.</translation>
     </message>
@@ -2699,6 +2667,10 @@
     <message>
         <source>look again first</source>
         <translation>erst noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>Write the staged changes  Shift+F5</source>
+        <translation>Vorgemerkte Änderungen schreiben  Umschalt+F5</translation>
     </message>
 </context>
 <context>
@@ -2752,8 +2724,20 @@
         <translation>Warteschlange abbrechen und schließen</translation>
     </message>
     <message>
-        <source>The window closes once the experiment has put back what it changed.</source>
-        <translation>Das Fenster schließt sich, sobald der Versuch zurückgeschrieben hat, was er geändert hat.</translation>
+        <source>Samples are being written to %1. Cancel the export?</source>
+        <translation>Werte werden in %1 geschrieben. Export abbrechen?</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept then.</source>
+        <translation>Dann bleibt nichts davon.</translation>
+    </message>
+    <message>
+        <source>Cancel the export and close</source>
+        <translation>Export abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>The window closes once this has ended: %1</source>
+        <translation>Das Fenster schließt sich, sobald dies beendet ist: %1</translation>
     </message>
 </context>
 <context>
@@ -3163,10 +3147,6 @@
     <message>
         <source>DEMO</source>
         <translation>DEMO</translation>
-    </message>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
     <message>
         <source>writes a report of what is shown</source>
@@ -5225,6 +5205,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
         <translation>Die Einstellungen gelten, sobald nichts scharf ist, kein Vorgang läuft und kein anderes Fenster offen ist.</translation>
     </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>die Grenzen wurden nicht behalten: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5763,10 +5747,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Was der Parameter bewirkt</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+S write</source>
-        <translation>↑↓ Zeile · Enter ändern · Strg+S schreiben</translation>
-    </message>
-    <message>
         <source>%1 edited</source>
         <translation>%1 geändert</translation>
     </message>
@@ -5801,6 +5781,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
+    </message>
+    <message>
+        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <translation>↑↓ Zeile · Enter ändern · Umschalt+F5 schreiben</translation>
     </message>
 </context>
 <context>
@@ -6070,10 +6054,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>nimmt die letzte Änderung zurück, sonst das letzte Schreiben ins Gerät</translation>
-    </message>
-    <message>
-        <source>takes a snapshot</source>
-        <translation>hält alle Werte fest</translation>
     </message>
     <message>
         <source>shows the history of the unit, or its values</source>
@@ -6587,10 +6567,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>sets it aside, ready for the next</source>
         <translation>legt es beiseite, bereit für das nächste</translation>
-    </message>
-    <message>
-        <source>goes to the serial number</source>
-        <translation>geht zur Seriennummer</translation>
     </message>
     <message>
         <source>Open recipe</source>
@@ -10343,10 +10319,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
 <context>
     <name>mb::TuneExperiments</name>
     <message>
-        <source>the limits were not kept: %1</source>
-        <translation>die Grenzen wurden nicht behalten: %1</translation>
-    </message>
-    <message>
         <source>Experiment</source>
         <translation>Versuch</translation>
     </message>
@@ -11360,6 +11332,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Menu</source>
         <translation>Menü</translation>
+    </message>
+    <message>
+        <source>renames the selected device; in production: goes to the serial number</source>
+        <translation>benennt das gewählte Gerät um; in der Produktion: geht zur Seriennummer</translation>
+    </message>
+    <message>
+        <source>stores what the selected device has in RAM only</source>
+        <translation>speichert, was das gewählte Gerät nur im RAM hat</translation>
+    </message>
+    <message>
+        <source>takes a snapshot of the selected device</source>
+        <translation>hält alle Werte des gewählten Geräts fest</translation>
     </message>
 </context>
 <context>
@@ -17280,10 +17264,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Welle freimachen, prüfen, dass keine Bremse anliegt, dann erneut prüfen</translation>
     </message>
     <message>
-        <source>from %1 to %2</source>
-        <translation>von %1 bis %2</translation>
-    </message>
-    <message>
         <source>give it a number first, or take the self-test out of the recipe</source>
         <translation>ihm zuerst eine Nummer geben, oder den Selbsttest aus dem Rezept nehmen</translation>
     </message>
@@ -18866,6 +18846,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
         <translation>die Suche endet hier, weil Firmware geschrieben wird oder Geräte bedient werden; was sie gefunden hat, bleibt</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit rate only by their number, or by %1</source>
+        <translation>Abstract DC Drives, die so alt sind, dass sie auf keinen Rundruf antworten (Dialekt LL), werden bei dieser Bitrate nur mit ihrer Nummer gefunden, oder mit %1</translation>
+    </message>
+    <message>
+        <source>interrupted before it was done</source>
+        <translation>abgebrochen, bevor es fertig war</translation>
+    </message>
+    <message>
+        <source>run it again to finish</source>
+        <translation>zum Fertigstellen noch einmal ausführen</translation>
+    </message>
+    <message>
+        <source>the last run of %1 was begun by another program, which still runs</source>
+        <translation>der letzte Durchlauf von %1 wurde von einem anderen Programm begonnen, das noch läuft</translation>
     </message>
 </context>
 </TS>

@@ -1768,40 +1768,12 @@
 <context>
     <name>mb::AgainstView</name>
     <message>
-        <source>Export plot</source>
-        <translation>Exportar gráfica</translation>
-    </message>
-    <message>
         <source>plot written to %1</source>
         <translation>gráfica escrita en %1</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>Copiar imagen</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>Exportar PNG…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>Imagen PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>Exportar SVG…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>Dibujo SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>Exportar PDF…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>Documento PDF (*.pdf)</translation>
     </message>
     <message>
         <source>One signal against another</source>
@@ -2697,8 +2669,8 @@
         <translation>Escribir %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+S</source>
-        <translation>Escribir los cambios pendientes  Ctrl+S</translation>
+        <source>Write the staged changes  Shift+F5</source>
+        <translation>Escribir los cambios pendientes  Mayús+F5</translation>
     </message>
 </context>
 <context>
@@ -2752,8 +2724,20 @@
         <translation>Cancelar la cola y cerrar</translation>
     </message>
     <message>
-        <source>The window closes once the experiment has put back what it changed.</source>
-        <translation>La ventana se cierra en cuanto el experimento haya restituido lo que cambió.</translation>
+        <source>Samples are being written to %1. Cancel the export?</source>
+        <translation>Se están escribiendo muestras en %1. ¿Cancelar la exportación?</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept then.</source>
+        <translation>Entonces no queda nada de ella.</translation>
+    </message>
+    <message>
+        <source>Cancel the export and close</source>
+        <translation>Cancelar la exportación y cerrar</translation>
+    </message>
+    <message>
+        <source>The window closes once this has ended: %1</source>
+        <translation>La ventana se cierra en cuanto termine esto: %1</translation>
     </message>
 </context>
 <context>
@@ -3100,10 +3084,6 @@
 </context>
 <context>
     <name>mb::DesignPage</name>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>los límites no se conservaron: %1</translation>
-    </message>
     <message>
         <source>writes the chosen set and proves it</source>
         <translation>escribe el juego elegido y lo verifica</translation>
@@ -5225,6 +5205,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
         <translation>Las preferencias se aplican en cuanto nada esté armado, no haya ningún proceso en marcha ni otra ventana abierta.</translation>
     </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>los límites no se conservaron: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5763,10 +5747,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Qué hace el parámetro</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+S write</source>
-        <translation>↑↓ fila · Intro editar · Ctrl+S escribir</translation>
-    </message>
-    <message>
         <source>%1 edited</source>
         <translation>%1 editados</translation>
     </message>
@@ -5801,6 +5781,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
+    </message>
+    <message>
+        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <translation>↑↓ fila · Intro editar · Mayús+F5 escribir</translation>
     </message>
 </context>
 <context>
@@ -6042,10 +6026,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>deshace la última edición o, si no la hay, la última escritura en el equipo</translation>
-    </message>
-    <message>
-        <source>takes a snapshot</source>
-        <translation>toma una instantánea</translation>
     </message>
     <message>
         <source>shows the history of the unit, or its values</source>
@@ -6587,10 +6567,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>sets it aside, ready for the next</source>
         <translation>lo aparta, listo para el siguiente</translation>
-    </message>
-    <message>
-        <source>goes to the serial number</source>
-        <translation>va al número de serie</translation>
     </message>
     <message>
         <source>Open recipe</source>
@@ -10343,10 +10319,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
 <context>
     <name>mb::TuneExperiments</name>
     <message>
-        <source>the limits were not kept: %1</source>
-        <translation>los límites no se conservaron: %1</translation>
-    </message>
-    <message>
         <source>Experiment</source>
         <translation>Experimento</translation>
     </message>
@@ -11360,6 +11332,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Menu</source>
         <translation>Menú</translation>
+    </message>
+    <message>
+        <source>renames the selected device; in production: goes to the serial number</source>
+        <translation>renombra el dispositivo seleccionado; en producción: va al número de serie</translation>
+    </message>
+    <message>
+        <source>stores what the selected device has in RAM only</source>
+        <translation>guarda lo que el dispositivo seleccionado solo tiene en RAM</translation>
+    </message>
+    <message>
+        <source>takes a snapshot of the selected device</source>
+        <translation>toma una instantánea del dispositivo seleccionado</translation>
     </message>
 </context>
 <context>
@@ -15058,10 +15042,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>friction takes %1 of what P makes of a step, at most 60 %</source>
         <translation>la fricción toma %1 de lo que P hace de un escalón, como máximo 60 %</translation>
-    </message>
-    <message>
-        <source>from %1 to %2</source>
-        <translation>de %1 a %2</translation>
     </message>
     <message>
         <source>gave no sign after the stop</source>
@@ -18866,6 +18846,22 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
         <translation>la búsqueda termina aquí, porque se escribe firmware o se atienden unidades; lo encontrado se queda</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit rate only by their number, or by %1</source>
+        <translation>los Abstract DC Drive tan antiguos que no responden a ninguna difusión (dialecto LL) solo se encuentran a esta velocidad por su número, o con %1</translation>
+    </message>
+    <message>
+        <source>interrupted before it was done</source>
+        <translation>interrumpido antes de terminar</translation>
+    </message>
+    <message>
+        <source>run it again to finish</source>
+        <translation>ejecútelo de nuevo para terminar</translation>
+    </message>
+    <message>
+        <source>the last run of %1 was begun by another program, which still runs</source>
+        <translation>la última ejecución de %1 la empezó otro programa, que sigue en marcha</translation>
     </message>
 </context>
 </TS>

@@ -1768,40 +1768,12 @@
 <context>
     <name>mb::AgainstView</name>
     <message>
-        <source>Export plot</source>
-        <translation>Exporter la courbe</translation>
-    </message>
-    <message>
         <source>plot written to %1</source>
         <translation>courbe écrite dans %1</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>Copier l’image</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>Exporter en PNG…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>Image PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>Exporter en SVG…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>Dessin SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>Exporter en PDF…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>Document PDF (*.pdf)</translation>
     </message>
     <message>
         <source>One signal against another</source>
@@ -2697,8 +2669,8 @@
         <translation>Écrire %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+S</source>
-        <translation>Écrire les modifications en attente  Ctrl+S</translation>
+        <source>Write the staged changes  Shift+F5</source>
+        <translation>Écrire les modifications en attente  Maj+F5</translation>
     </message>
 </context>
 <context>
@@ -2752,8 +2724,20 @@
         <translation>Annuler la file et fermer</translation>
     </message>
     <message>
-        <source>The window closes once the experiment has put back what it changed.</source>
-        <translation>La fenêtre se ferme dès que l’expérience a remis en place ce qu’elle a modifié.</translation>
+        <source>Samples are being written to %1. Cancel the export?</source>
+        <translation>Écriture des échantillons dans %1 en cours. Annuler l’export ?</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept then.</source>
+        <translation>Il n’en reste alors rien.</translation>
+    </message>
+    <message>
+        <source>Cancel the export and close</source>
+        <translation>Annuler l’export et fermer</translation>
+    </message>
+    <message>
+        <source>The window closes once this has ended: %1</source>
+        <translation>La fenêtre se ferme dès que ceci est terminé : %1</translation>
     </message>
 </context>
 <context>
@@ -3100,10 +3084,6 @@
 </context>
 <context>
     <name>mb::DesignPage</name>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
-    </message>
     <message>
         <source>writes the chosen set and proves it</source>
         <translation>écrit le jeu choisi et le vérifie</translation>
@@ -5225,6 +5205,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
         <translation>Les préférences s’appliquent dès que rien n’est armé, qu’aucune opération ne tourne et qu’aucune autre fenêtre n’est ouverte.</translation>
     </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>les limites n’ont pas été conservées : %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5763,10 +5747,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Ce que fait le paramètre</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+S write</source>
-        <translation>↑↓ ligne · Entrée modifier · Ctrl+S écrire</translation>
-    </message>
-    <message>
         <source>%1 edited</source>
         <translation>%1 modifiés</translation>
     </message>
@@ -5801,6 +5781,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
+    </message>
+    <message>
+        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <translation>↑↓ ligne · Entrée modifier · Maj+F5 écrire</translation>
     </message>
 </context>
 <context>
@@ -6042,10 +6026,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>annule la dernière modification, sinon la dernière écriture dans l’appareil</translation>
-    </message>
-    <message>
-        <source>takes a snapshot</source>
-        <translation>prend un instantané</translation>
     </message>
     <message>
         <source>shows the history of the unit, or its values</source>
@@ -6587,10 +6567,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>sets it aside, ready for the next</source>
         <translation>le met de côté, prêt pour le suivant</translation>
-    </message>
-    <message>
-        <source>goes to the serial number</source>
-        <translation>va au numéro de série</translation>
     </message>
     <message>
         <source>Open recipe</source>
@@ -10343,10 +10319,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
 <context>
     <name>mb::TuneExperiments</name>
     <message>
-        <source>the limits were not kept: %1</source>
-        <translation>les limites n’ont pas été respectées&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Experiment</source>
         <translation>Expérience</translation>
     </message>
@@ -11360,6 +11332,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Menu</source>
         <translation>Menu</translation>
+    </message>
+    <message>
+        <source>renames the selected device; in production: goes to the serial number</source>
+        <translation>renomme l’appareil sélectionné ; en production : va au numéro de série</translation>
+    </message>
+    <message>
+        <source>stores what the selected device has in RAM only</source>
+        <translation>mémorise ce que l’appareil sélectionné n’a qu’en RAM</translation>
+    </message>
+    <message>
+        <source>takes a snapshot of the selected device</source>
+        <translation>prend un instantané de l’appareil sélectionné</translation>
     </message>
 </context>
 <context>
@@ -15058,10 +15042,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>friction takes %1 of what P makes of a step, at most 60 %</source>
         <translation>le frottement prend %1 de ce que P tire d’un échelon, au plus 60 %</translation>
-    </message>
-    <message>
-        <source>from %1 to %2</source>
-        <translation>de %1 à %2</translation>
     </message>
     <message>
         <source>gave no sign after the stop</source>
@@ -18866,6 +18846,22 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
         <translation>la recherche s’arrête ici, car un firmware est écrit ou des unités sont servies&#x202f;; ce qu’elle a trouvé reste</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit rate only by their number, or by %1</source>
+        <translation>les Abstract DC Drive si anciens qu’ils ne répondent à aucune diffusion (dialecte LL) ne sont trouvés à ce débit que par leur numéro, ou avec %1</translation>
+    </message>
+    <message>
+        <source>interrupted before it was done</source>
+        <translation>interrompu avant la fin</translation>
+    </message>
+    <message>
+        <source>run it again to finish</source>
+        <translation>relancez-le pour terminer</translation>
+    </message>
+    <message>
+        <source>the last run of %1 was begun by another program, which still runs</source>
+        <translation>la dernière exécution de %1 a été commencée par un autre programme, qui tourne encore</translation>
     </message>
 </context>
 </TS>

@@ -1767,40 +1767,12 @@
 <context>
     <name>mb::AgainstView</name>
     <message>
-        <source>Export plot</source>
-        <translation>プロットのエクスポート</translation>
-    </message>
-    <message>
         <source>plot written to %1</source>
         <translation>プロットを %1 に書き出しました</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>画像をコピー</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>PNG をエクスポート…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>PNG 画像 (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>SVG をエクスポート…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG 図面 (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>PDF をエクスポート…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>PDF 文書 (*.pdf)</translation>
     </message>
     <message>
         <source>One signal against another</source>
@@ -2695,8 +2667,8 @@
         <translation>%1 を書込み</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+S</source>
-        <translation>書込み待ちの変更を書込み  Ctrl+S</translation>
+        <source>Write the staged changes  Shift+F5</source>
+        <translation>書込み待ちの変更を書込み  Shift+F5</translation>
     </message>
 </context>
 <context>
@@ -2750,8 +2722,20 @@
         <translation>キューを中止して閉じる</translation>
     </message>
     <message>
-        <source>The window closes once the experiment has put back what it changed.</source>
-        <translation>実験が変更した値を元に戻し終えると、ウィンドウを閉じます。</translation>
+        <source>Samples are being written to %1. Cancel the export?</source>
+        <translation>サンプルを %1 に書出し中です。エクスポートを中止しますか?</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept then.</source>
+        <translation>その場合、何も残りません。</translation>
+    </message>
+    <message>
+        <source>Cancel the export and close</source>
+        <translation>エクスポートを中止して閉じる</translation>
+    </message>
+    <message>
+        <source>The window closes once this has ended: %1</source>
+        <translation>次が終わるとウィンドウを閉じます: %1</translation>
     </message>
 </context>
 <context>
@@ -3098,10 +3082,6 @@
 </context>
 <context>
     <name>mb::DesignPage</name>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>制限が保持されませんでした: %1</translation>
-    </message>
     <message>
         <source>writes the chosen set and proves it</source>
         <translation>選択した組を書き込んで検証します</translation>
@@ -5217,6 +5197,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
         <translation>環境設定は、駆動許可中の機器、実行中の処理、ほかに開いているウィンドウがなくなり次第、有効になります。</translation>
     </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>制限が保持されませんでした: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5755,10 +5739,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>パラメータの働き</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+S write</source>
-        <translation>↑↓ 行 · Enter 編集 · Ctrl+S 書込み</translation>
-    </message>
-    <message>
         <source>%1 edited</source>
         <translation>編集済み %1</translation>
     </message>
@@ -5793,6 +5773,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>%1.</source>
         <translation>%1。</translation>
+    </message>
+    <message>
+        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <translation>↑↓ 行 · Enter 編集 · Shift+F5 書込み</translation>
     </message>
 </context>
 <context>
@@ -6034,10 +6018,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>直前の編集、なければ機器への直前の書込みを元に戻します</translation>
-    </message>
-    <message>
-        <source>takes a snapshot</source>
-        <translation>スナップショットを取得します</translation>
     </message>
     <message>
         <source>shows the history of the unit, or its values</source>
@@ -6579,10 +6559,6 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>sets it aside, ready for the next</source>
         <translation>機器を除外し、次に備えます</translation>
-    </message>
-    <message>
-        <source>goes to the serial number</source>
-        <translation>シリアル番号へ移動します</translation>
     </message>
     <message>
         <source>Open recipe</source>
@@ -10328,10 +10304,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TuneExperiments</name>
     <message>
-        <source>the limits were not kept: %1</source>
-        <translation>制限が保持されませんでした: %1</translation>
-    </message>
-    <message>
         <source>Experiment</source>
         <translation>実験</translation>
     </message>
@@ -11343,6 +11315,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Menu</source>
         <translation>メニュー</translation>
+    </message>
+    <message>
+        <source>renames the selected device; in production: goes to the serial number</source>
+        <translation>選択した機器の名前を変更します。生産ではシリアル番号へ移動します</translation>
+    </message>
+    <message>
+        <source>stores what the selected device has in RAM only</source>
+        <translation>選択した機器が RAM にのみ持つ値を保存します</translation>
+    </message>
+    <message>
+        <source>takes a snapshot of the selected device</source>
+        <translation>選択した機器のスナップショットを取得します</translation>
     </message>
 </context>
 <context>
@@ -15041,10 +15025,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>friction takes %1 of what P makes of a step, at most 60 %</source>
         <translation>摩擦がステップに対する P の出力の %1 を占めています (最大 60 %)</translation>
-    </message>
-    <message>
-        <source>from %1 to %2</source>
-        <translation>%1 から %2 まで</translation>
     </message>
     <message>
         <source>gave no sign after the stop</source>
@@ -18849,6 +18829,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
         <translation>ファームウェアの書き込みまたはユニットの処理が始まるため、検索をここで終了します。見つかったものは残ります</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit rate only by their number, or by %1</source>
+        <translation>ブロードキャストに応答しない古い Abstract DC Drive（方言 LL）は、このビットレートでは番号を指定するか、%1 でのみ見つかります</translation>
+    </message>
+    <message>
+        <source>interrupted before it was done</source>
+        <translation>完了する前に中断されました</translation>
+    </message>
+    <message>
+        <source>run it again to finish</source>
+        <translation>もう一度実行して完了してください</translation>
+    </message>
+    <message>
+        <source>the last run of %1 was begun by another program, which still runs</source>
+        <translation>%1 の最後の実行は別のプログラムが始めたもので、そのプログラムはまだ動いています</translation>
     </message>
 </context>
 </TS>

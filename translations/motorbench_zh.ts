@@ -1767,40 +1767,12 @@
 <context>
     <name>mb::AgainstView</name>
     <message>
-        <source>Export plot</source>
-        <translation>导出曲线图</translation>
-    </message>
-    <message>
         <source>plot written to %1</source>
         <translation>曲线图已写入 %1</translation>
     </message>
     <message>
         <source>Copy picture</source>
         <translation>复制图片</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>导出 PNG…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>PNG 图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>导出 SVG…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG 图形 (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>导出 PDF…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>PDF 文档 (*.pdf)</translation>
     </message>
     <message>
         <source>One signal against another</source>
@@ -2695,8 +2667,8 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+S</source>
-        <translation>写入暂存的更改  Ctrl+S</translation>
+        <source>Write the staged changes  Shift+F5</source>
+        <translation>写入暂存的更改  Shift+F5</translation>
     </message>
 </context>
 <context>
@@ -2750,8 +2722,20 @@
         <translation>取消队列并关闭</translation>
     </message>
     <message>
-        <source>The window closes once the experiment has put back what it changed.</source>
-        <translation>实验把更改过的值恢复之后，窗口就会关闭。</translation>
+        <source>Samples are being written to %1. Cancel the export?</source>
+        <translation>正在向 %1 写入采样。取消导出吗？</translation>
+    </message>
+    <message>
+        <source>Nothing of it is kept then.</source>
+        <translation>这样就不会留下任何内容。</translation>
+    </message>
+    <message>
+        <source>Cancel the export and close</source>
+        <translation>取消导出并关闭</translation>
+    </message>
+    <message>
+        <source>The window closes once this has ended: %1</source>
+        <translation>以下内容结束之后，窗口就会关闭：%1</translation>
     </message>
 </context>
 <context>
@@ -3098,10 +3082,6 @@
 </context>
 <context>
     <name>mb::DesignPage</name>
-    <message>
-        <source>the limits were not kept: %1</source>
-        <translation>限值未被保留：%1</translation>
-    </message>
     <message>
         <source>writes the chosen set and proves it</source>
         <translation>写入所选参数组并验证</translation>
@@ -5217,6 +5197,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>The preferences hold as soon as nothing is armed, no job runs and no other window is open.</source>
         <translation>一旦没有设备处于已解锁状态、没有作业在运行、也没有打开其他窗口，首选项就会生效。</translation>
     </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>限值未被保留：%1</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5755,10 +5739,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>参数的作用</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+S write</source>
-        <translation>↑↓ 换行 · Enter 编辑 · Ctrl+S 写入</translation>
-    </message>
-    <message>
         <source>%1 edited</source>
         <translation>%1 项已编辑</translation>
     </message>
@@ -5793,6 +5773,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>%1.</source>
         <translation>%1。</translation>
+    </message>
+    <message>
+        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <translation>↑↓ 换行 · Enter 编辑 · Shift+F5 写入</translation>
     </message>
 </context>
 <context>
@@ -6034,10 +6018,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>undoes the last edit, or else the last write to the unit</source>
         <translation>撤销上一次编辑，否则撤销上一次写入设备的操作</translation>
-    </message>
-    <message>
-        <source>takes a snapshot</source>
-        <translation>建立快照</translation>
     </message>
     <message>
         <source>shows the history of the unit, or its values</source>
@@ -6579,10 +6559,6 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>sets it aside, ready for the next</source>
         <translation>将其搁置，准备下一台</translation>
-    </message>
-    <message>
-        <source>goes to the serial number</source>
-        <translation>转到序列号</translation>
     </message>
     <message>
         <source>Open recipe</source>
@@ -10328,10 +10304,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TuneExperiments</name>
     <message>
-        <source>the limits were not kept: %1</source>
-        <translation>限值未被保留：%1</translation>
-    </message>
-    <message>
         <source>Experiment</source>
         <translation>实验</translation>
     </message>
@@ -11343,6 +11315,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Menu</source>
         <translation>菜单</translation>
+    </message>
+    <message>
+        <source>renames the selected device; in production: goes to the serial number</source>
+        <translation>重命名所选设备；在生产模式下：转到序列号</translation>
+    </message>
+    <message>
+        <source>stores what the selected device has in RAM only</source>
+        <translation>存储所选设备仅在 RAM 中的值</translation>
+    </message>
+    <message>
+        <source>takes a snapshot of the selected device</source>
+        <translation>为所选设备建立快照</translation>
     </message>
 </context>
 <context>
@@ -15041,10 +15025,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>friction takes %1 of what P makes of a step, at most 60 %</source>
         <translation>摩擦占去 P 由阶跃产生的输出的 %1，最多允许 60 %</translation>
-    </message>
-    <message>
-        <source>from %1 to %2</source>
-        <translation>从 %1 到 %2</translation>
     </message>
     <message>
         <source>gave no sign after the stop</source>
@@ -18849,6 +18829,22 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the search ends here, because firmware is written or units are served; what it found stays</source>
         <translation>因正在写入固件或处理设备，搜索到此结束；已找到的保留</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives so old that they answer no broadcast (dialect LL) are found at this bit rate only by their number, or by %1</source>
+        <translation>不响应广播的旧式 Abstract DC Drive（方言 LL）在此比特率下只能通过其编号或 %1 找到</translation>
+    </message>
+    <message>
+        <source>interrupted before it was done</source>
+        <translation>完成之前被中断</translation>
+    </message>
+    <message>
+        <source>run it again to finish</source>
+        <translation>再运行一次以完成</translation>
+    </message>
+    <message>
+        <source>the last run of %1 was begun by another program, which still runs</source>
+        <translation>%1 的上一次运行由另一个程序开始，该程序仍在运行</translation>
     </message>
 </context>
 </TS>
