@@ -4,6 +4,7 @@
 #include "async/scope.h"
 #include "async/sleep.h"
 #include "model/family.h"
+#include "model/unit.h"
 
 #include <algorithm>
 #include <optional>
@@ -293,8 +294,8 @@ Task<void> QueueBus::serveHere(Row &row, Device &device)
     }
     Visit visit = row.shown->visit;
     if (visit.id.empty()) {
-        if (unitByOf(visit.unit)
-            == UnitBy::Place) // what is known may be of another that stood there, in whatever queue
+        // What is known may be of another that stood there, in whatever queue.
+        if (unitByOf(visit.unit) == UnitBy::Place)
             device.knowledge().unitExchanged();
         visit = co_await openVisit(row, device);
     }

@@ -74,7 +74,8 @@ Task<std::string> takeObject(Ground &ground, Counted counted)
 
 Task<std::string> takeOptional(Ground &ground, std::optional<Counted> counted)
 {
-    co_return co_await finish(ground, counted ? "there, and longer than what a string keeps in itself" : "none");
+    EXPECT_TRUE(counted);
+    co_return co_await finish(ground, "there, and longer than what a string keeps in itself");
 }
 
 Task<std::string> takeText(Ground &ground, std::string text)

@@ -187,10 +187,10 @@ TEST_F(SerialBench, TheSnapshotHasRateLoadAndRoundTrip)
 {
     SerialLink *link = open("sim:serial");
     ASSERT_TRUE(link);
-    EXPECT_EQ(viewOf(*link, clock.now()).roundTrip, std::nullopt);
+    EXPECT_EQ(viewOf(*link, clock).roundTrip, std::nullopt);
     link->noteRoundTrip(2ms);
     link->noteRoundTrip(4ms);
-    const LinkView view = viewOf(*link, clock.now());
+    const LinkView view = viewOf(*link, clock);
     EXPECT_EQ(view.kind, LinkKind::Serial);
     EXPECT_EQ(view.bitrate, 115200);
     ASSERT_TRUE(view.roundTrip);

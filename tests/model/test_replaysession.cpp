@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings played through the same session and devices as the live run that they were made of.
+#include "model/snapshot.h"
 #include "support/simulatedsession.h"
 #include "support/temporaryfile.h"
 #include "traffic/trafficrecorder.h"
@@ -210,6 +211,9 @@ TEST(ReplaySession, HasTheRecordingsTimeAndStandsWithIt)
     playback.clock.advance(1h);
     EXPECT_TRUE(device.liveness().heard) << "time stands for the devices, too";
     EXPECT_EQ(device.clock().now(), Instant(playback.link->replay().start + 1s));
+    const LinkView view = viewOf(*playback.link, device.clock());
+    EXPECT_EQ(view.time, device.clock().now());
+    EXPECT_EQ(view.replay->position, 1s);
 }
 
 TEST(ReplaySession, LetsNothingBeDrivenOrWritten)

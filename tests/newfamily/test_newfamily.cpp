@@ -49,7 +49,7 @@ protected:
     /// The window's side, as the engine publishes it.
     void publish()
     {
-        workbench.shot.links = {viewOf(*bench.link, bench.clock.now())};
+        workbench.shot.links = {viewOf(*bench.link, bench.clock)};
         workbench.shot.devices = {viewOf(bench.session, *unit)};
         workbench.time = bench.clock.now();
         workbench.publish();

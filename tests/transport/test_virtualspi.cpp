@@ -65,14 +65,14 @@ TEST_F(VirtualSpi, ItsLoadIsTheShareOfTheClockThatTransfersTake)
         task.start();
         clock.advance(10ms);
     }
-    const LinkView view = viewOf(link, clock.now());
+    const LinkView view = viewOf(link, clock);
     EXPECT_EQ(view.bitrate, 500'000);
     EXPECT_NEAR(view.load.value_or(0.0), 0.064, 0.002);
 }
 
 TEST_F(VirtualSpi, ItsLoadIsNotKnownBeforeItWasMeasuredForASecond)
 {
-    const auto load = [&] { return viewOf(link, clock.now()).load; };
+    const auto load = [&] { return viewOf(link, clock).load; };
     EXPECT_FALSE(load());
     clock.advance(300ms);
     Task<Bytes> task = transfer(link, Bytes(40));

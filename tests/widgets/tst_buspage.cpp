@@ -40,8 +40,6 @@ private Q_SLOTS:
     void aMistakeIsShownAndTheFilterBeforeStays();
     void findMarksAndGoesThere();
     void selectedFramesAreCopiedAsCandumpText();
-    void whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime();
-    void framesOfARecordingAreCopiedWithItsTimesHoweverLongTheComputerSlept();
     void exportReportsWhatItDid();
     void stateShowsLoadAndLoss();
     void aLineOfBytesIsNotCountedInFrames();
@@ -158,49 +156,6 @@ void BusPageTest::selectedFramesAreCopiedAsCandumpText()
         QStringLiteral("(0000000000.000000) sim:can 02061405#A125110008070000\n(0000000000.010000) sim:can "
                        "02061407#FE04110010020000\n"
                        "(0000000000.020000) sim:can 123#R\n"));
-}
-
-void BusPageTest::whatPassedBeforeTheComputerSleptIsCopiedAndLoggedWithItsTime()
-{
-    BusBench bench;
-    bench.workbench.shot.links.front().simulated = false;
-    const Instant begin = bench.workbench.time;
-    bench.workbench.slept.look(begin, {});
-    bench.workbench.report(Severity::Info, {}, QStringLiteral("something"));
-    NoticeModel log(bench.workbench, bench.theme);
-    const QModelIndex cell = log.index(0, NoticeModel::Time);
-    const QString noted = cell.data().toString();
-    bench.traffic.add(generalOf5);
-    bench.publish();
-    bench.named<TrafficView>("Frames")->selectAll();
-    const QString copied = bench.page->selectedText();
-    bench.workbench.slept.look(bench.workbench.time, {});
-    bench.workbench.time += 1ms;
-    bench.workbench.slept.look(bench.workbench.time, 3600s);
-    QCOMPARE(bench.page->selectedText(), copied);
-    QCOMPARE(cell.data().toString(), noted);
-}
-
-void BusPageTest::framesOfARecordingAreCopiedWithItsTimesHoweverLongTheComputerSlept()
-{
-    BusBench bench;
-    bench.workbench.slept.look(bench.workbench.time, {});
-    bench.workbench.slept.look(bench.workbench.time + 1ms, 8h);
-    bench.workbench.time += 2ms;
-    bench.traffic.add(generalOf5);
-    LinkView &link = bench.workbench.shot.links.front();
-    link.simulated = false;
-    link.replay.emplace();
-    link.replay->start = 1'718'000'000s;
-    link.replay->position = 5s;
-    link.time = bench.traffic.now;
-    bench.publish();
-    bench.named<TrafficView>("Frames")->selectAll();
-    const QString recorded = QStringLiteral("(1718000005.000000) sim:can 02061405#A125110008070000\n");
-    QCOMPARE(bench.page->selectedText(), recorded);
-    bench.workbench.shot.links.clear();
-    bench.publish();
-    QCOMPARE(bench.page->selectedText(), recorded); // what it has left
 }
 
 void BusPageTest::exportReportsWhatItDid()

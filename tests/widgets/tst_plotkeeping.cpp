@@ -16,8 +16,6 @@ class TestPlotKeeping : public QObject {
 private Q_SLOTS:
     void notesStandInThePlotAndInTheFile();
     void theWholeSessionIsExportedWithItsDevices();
-    void anExportHasTheTimesOfBeforeAndAfterTheComputerSlept();
-    void axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept();
     void anExportHasWhatWasSeenWhenItWasOrdered();
     void anExportCanBeCancelled();
     void layoutsComeBack();
@@ -32,7 +30,6 @@ private Q_SLOTS:
     void aChangeStandsWhileALayoutWaitsForADevice();
     void tracesOfALinkThatIsClosedComeBackWithIt();
     void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
-    void aRecordingHasItsOwnTimesHoweverLongTheComputerSlept();
     void whatIsPlayedIsNotRecordedAgain();
     void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
     void recordingsOfOneSecondHaveNamesOfTheirOwn();
@@ -80,56 +77,6 @@ void TestPlotKeeping::theWholeSessionIsExportedWithItsDevices()
     QCOMPARE(file.telemetry->size({0}) > 0, true);
     QTRY_VERIFY(!bench.workbench.lines.empty());
     QTRY_VERIFY2(bench.workbench.lines.back().text.contains(s("lost")), qPrintable(bench.workbench.lines.back().text));
-}
-
-void TestPlotKeeping::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.workbench.slept.look(bench.workbench.time, {});
-    bench.pass(1.0, 60000.0);
-    bench.workbench.slept.look(bench.workbench.time, {});
-    const Instant before = bench.workbench.time;
-    bench.workbench.slept.look(bench.workbench.time + 1ms, 3600s);
-    bench.pass(1.0, 60000.0);
-    const Instant after = bench.workbench.time;
-    bench.page->exportBar().exportSamples({std::nullopt, false, folder.filePath(s("a.mcap"))});
-    QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
-    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
-    QVERIFY(loaded);
-    QVERIFY((*loaded)->first < before);
-    QVERIFY((*loaded)->last > before + 3600s && (*loaded)->last <= after + 3600s);
-}
-
-void TestPlotKeeping::axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.workbench.slept.look(bench.workbench.time, {});
-    bench.pass(1.0, 60000.0);
-    bench.workbench.slept.look(bench.workbench.time, {});
-    const double before = plotKey(bench.workbench.time);
-    bench.workbench.slept.look(bench.workbench.time + 1ms, 600s);
-    bench.pass(1.0, 60000.0);
-    bench.stack().view().setRange(before - 0.5, before + 0.5);
-    QVERIFY(bench.stack().exporter().exportTo(folder.filePath(s("a.csv"))));
-    QFile file(folder.filePath(s("a.csv")));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QStringList lines = QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'));
-    QVERIFY2(lines.first().endsWith(s("(Unix %1)").arg(before - 0.5, 0, 'f', 6)), qPrintable(lines.first()));
-    const double last = lines[lines.size() - 2].section(QLatin1Char(','), 0, 0).toDouble();
-    QVERIFY2(last > 600.5 && last < 601.1, qPrintable(QString::number(last)));
-    const QCPAxis &axis = *bench.stack().findChild<QCustomPlot *>()->axisRect()->axis(QCPAxis::atBottom);
-    const auto labelAt = [&axis](double key) {
-        QVector<double> ticks;
-        QVector<QString> labels;
-        axis.ticker()->generate({key, key + 20.0}, {}, QLatin1Char('g'), 6, ticks, nullptr, &labels);
-        return labels.value(0);
-    };
-    const double step = 20.0; // both begin at a whole one
-    const QTime early = QTime::fromString(labelAt(before - step), s("HH:mm:ss"));
-    QVERIFY(early.isValid());
-    QCOMPARE(early.secsTo(QTime::fromString(labelAt(before + step), s("HH:mm:ss"))), 600 + 2 * 20);
 }
 
 void TestPlotKeeping::anExportHasWhatWasSeenWhenItWasOrdered()
@@ -435,35 +382,6 @@ void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
     bench.workbench.publish();
     QCOMPARE(bench.page->traceCount(), std::size_t{6});
     QVERIFY(bench.page->layoutBook().current() == layout);
-}
-
-void TestPlotKeeping::aRecordingHasItsOwnTimesHoweverLongTheComputerSlept()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    LinkView played;
-    played.address = "replay:/logs/run.log";
-    played.replay.emplace();
-    played.replay->start = 1'718'000'000s;
-    played.time = bench.workbench.time;
-    bench.workbench.shot.links = {played};
-    for (DeviceView &device : bench.workbench.shot.devices)
-        device.link = played.address;
-    bench.workbench.slept.look(bench.workbench.time - 2s, {});
-    bench.workbench.slept.look(bench.workbench.time - 1s, 8h);
-    bench.pass(1.0, 60000.0);
-    const double begin = plotKey(played.time);
-    bench.stack().view().setRange(begin, begin + 1.0);
-    QVERIFY(bench.stack().exporter().exportTo(folder.filePath(s("a.csv"))));
-    QFile table(folder.filePath(s("a.csv")));
-    QVERIFY(table.open(QIODevice::ReadOnly));
-    const QByteArray head = table.readLine().trimmed();
-    QVERIFY2(head.endsWith("(Unix 1718000000.000000)"), head.constData());
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("b.mcap"))});
-    QTRY_VERIFY(QFile::exists(folder.filePath(s("b.mcap"))));
-    const auto loaded = loadRecording(folder.filePath(s("b.mcap")).toStdString());
-    QVERIFY(loaded);
-    QVERIFY((*loaded)->first >= Instant(1'718'000'000s) && (*loaded)->last <= Instant(1'718'000'001s));
 }
 
 void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()
