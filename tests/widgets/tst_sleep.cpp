@@ -90,7 +90,7 @@ void SleepTest::aRecordingHasItsOwnTimesHoweverLongTheComputerSlept()
     QVERIFY(table.open(QIODevice::ReadOnly));
     const QByteArray head = table.readLine().trimmed();
     QVERIFY2(head.endsWith("(Unix 1718000000.000000)"), head.constData());
-    bench.page->exportBar().exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("b.mcap"))});
+    bench.page->exportBar().exportSamples({bench.stack().view().range(), false, folder.filePath(s("b.mcap"))});
     QTRY_VERIFY(QFile::exists(folder.filePath(s("b.mcap"))));
     const auto loaded = loadRecording(folder.filePath(s("b.mcap")).toStdString());
     QVERIFY(loaded);
