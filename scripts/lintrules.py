@@ -104,6 +104,9 @@ def operands(path, _text, code):
             continue
         if re.search(r"[\[{?]", code[match.end():operand_end(code, match.end())]):
             yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
+        condition = re.search(r"\b(?:if|while|for|switch) \(([^;{}]*)$", code[:match.start()])
+        if condition and condition[1].count("(") >= condition[1].count(")") and not re.search(r"[\w>*&] = ", condition[1]):
+            yield line, "error", "name what a condition awaits, if (const auto x = co_await f(); x): GCC 12 breaks it"
 
 
 # A sentence for people is a literal that scripts/translate finds, not glued (devices/async/message.h).

@@ -36,10 +36,10 @@ Task<void> mayNudge(Console &console, const Target &target, const IdentifyArgume
             say("give --yes once nothing is in its way, or turn its shaft by hand and see which position moves: "
                 "motorbenchctl watch %1%2",
                 arguments.device, positionOption(*target.family)));
-    auto asking = ask(console,
+    const bool agreed = co_await ask(console,
         family + " cannot blink. Turn the shaft of " + arguments.device
             + " a little to and fro? Nothing may be in its way.");
-    if (co_await std::move(asking))
+    if (agreed)
         co_return {};
     co_return fail(Fault::Cancelled, say("its shaft was not turned"),
         say("turn it by hand and see which position moves: motorbenchctl watch %1%2", arguments.device,

@@ -128,8 +128,7 @@ Task<void> mayPutBack(Console &console, const Device &device, SettingsBook &book
     if (named.kind != NamedSettings::Kind::Snapshot || by != UnitBy::Place || arguments.dryRun || arguments.yes)
         co_return {};
     const Message cause = say("%1 has no serial number: the snapshot is of %2", device.selector(), unitCaveatOf(by));
-    auto asking = isAgreedTo(console, cause.english() + "; write it?");
-    if (co_await std::move(asking))
+    if (const bool agreed = co_await isAgreedTo(console, cause.english() + "; write it?"); agreed)
         co_return {};
     co_return fail(Fault::Usage, cause,
         say("look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own"));

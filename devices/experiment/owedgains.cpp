@@ -111,7 +111,7 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
             continue;
         }
         if (storesLater(device)) {
-            if (!co_await hasStored(device, debt.time))
+            if (const bool stored = co_await hasStored(device, debt.time); !stored)
                 continue;
         }
         (void)co_await journal.settle(debt.trial).attempt();
@@ -122,7 +122,8 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
     (void)co_await confirmStop(device);
-    if (!co_await untilAtRest(device) || !device.isSeenStopped()) // another may drive a motor that is blocked
+    if (const bool rests = co_await untilAtRest(device);
+        !rests || !device.isSeenStopped()) // another may drive a motor that is blocked
         co_return fail(
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     co_await writeGains(device, changesOf(device.family(), owed.values));

@@ -418,7 +418,9 @@ Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
     if (stores) {
-        if (!co_await settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress))
+        const bool proved
+            = co_await settings::storeKept(m_device, settings::Origin::Recipe, m_around.settings, m_progress);
+        if (!proved)
             co_return fail(Fault::BadCheck, say("nothing proves that its flash has what was written"),
                 say("switch its supply off and on, then do it again: what is read then comes from its flash"));
     }

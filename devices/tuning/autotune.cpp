@@ -72,7 +72,7 @@ Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
             co_return {};
     }
     while (!run.isOver()) {
-        if (!co_await design.sharpen(proof.seconds()))
+        if (const bool sharpened = co_await design.sharpen(proof.seconds()); !sharpened)
             break;
         co_await proveBeside(run, design, proof);
     }

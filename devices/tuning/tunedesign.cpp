@@ -142,7 +142,7 @@ Task<bool> TuneDesign::sharpen(double seconds)
         > 0.0) // counted over so few edges, it does not show what play and steps do to the shaft
         co_return false;
     m_held = report;
-    if (!co_await improved()) {
+    if (const bool better = co_await improved(); !better) {
         goBack();
         co_return false;
     }
@@ -160,7 +160,7 @@ Task<bool> TuneDesign::improved()
         m_steepest = std::max(m_steepest, m_held->plant.gain / m_held->plant.tau);
     if (!plant && m_plan.loop == Mode::Current)
         co_return false; // what is not known of its winding has cost it nothing that less caution would give back
-    if (!co_await proposeOn(plant.value_or(m_held->plant)))
+    if (const bool proposed = co_await proposeOn(plant.value_or(m_held->plant)); !proposed)
         co_return false;
     const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_step);
     const TuneReport &report = m_run.report();

@@ -118,6 +118,36 @@ Task<void> attemptAll(Ground &ground)
     co_return {};
 }
 
+Task<int> oneLess(Ground &ground, int from)
+{
+    (void)co_await finish(ground, "a step that is longer than what a string keeps in itself");
+    co_return from - 1;
+}
+
+Task<int> countDown(Ground &ground, int from)
+{
+    int left = from;
+    for (;;) {
+        if (left == 0)
+            co_return left;
+        if (const auto asked = co_await takeText(ground, "a condition that is longer than a string keeps").attempt();
+            !asked)
+            co_return fail(asked.error());
+        if (const std::string text = co_await takeText(ground, "the next"); text.empty())
+            break;
+        left = co_await oneLess(ground, left);
+    }
+    co_return -1;
+}
+
+Task<int> countTwice(Ground &ground)
+{
+    const int first = co_await countDown(ground, 3);
+    if (first == 0)
+        co_return co_await countDown(ground, 2);
+    co_return co_await countDown(ground, 1).attempt();
+}
+
 class Operand : public testing::TestWithParam<End> {
 protected:
     void SetUp() override { m_ground.end = GetParam(); }
@@ -158,6 +188,16 @@ TEST_P(Operand, ThatIsCancelledAnywhereDestroysItsArgumentsOnce)
         attempting.start();
         m_ground.clock.advance(1ms * steps);
     }
+}
+
+TEST_P(Operand, ThatIsNamedInAConditionOrReturnedGoesTheWayThatItSays)
+{
+    Task<int> counting = countTwice(m_ground);
+    counting.start();
+    m_ground.clock.advance(1s);
+    ASSERT_TRUE(counting.isFinished());
+    const bool fails = GetParam() == End::FailsInline || GetParam() == End::FailsLater;
+    EXPECT_EQ(fails ? -2 : 0, counting.result().value_or(-2));
 }
 
 INSTANTIATE_TEST_SUITE_P(Ends, Operand, testing::Values(End::Inline, End::Later, End::FailsInline, End::FailsLater));

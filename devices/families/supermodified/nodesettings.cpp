@@ -104,7 +104,7 @@ Task<std::int64_t> NodeSettings::write(ParameterIndex index, std::int64_t raw)
     if (!offers(index))
         co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
     if (row.id == id::nodeId && raw != m_node.id) {
-        if (co_await isTaken(static_cast<int>(raw)))
+        if (const bool taken = co_await isTaken(static_cast<int>(raw)); taken)
             co_return fail(Fault::Refused, say("node id %1 is used by another node of this line", raw));
     }
     auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);

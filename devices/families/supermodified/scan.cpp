@@ -292,7 +292,9 @@ Task<void> Search::runFor(int address)
         plan(rate, address, address, places);
     for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // silence is asked again
         for (const Place &place : places) {
-            if (co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling)))
+            const bool found
+                = co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
+            if (found)
                 break;
         }
     }
