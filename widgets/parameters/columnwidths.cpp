@@ -60,6 +60,7 @@ ColumnWidths leastWidths(const ColumnWidths &natural, const Theme &theme)
     least[at(ParameterModel::Label)] = std::min(natural[at(ParameterModel::Label)], theme.u(150));
     least[at(ParameterModel::Key)] = std::min(natural[at(ParameterModel::Key)], theme.u(110));
     least[at(ParameterModel::Unit)] = std::min(natural[at(ParameterModel::Unit)], theme.u(84));
+    least[at(ParameterModel::Reference)] = std::min(natural[at(ParameterModel::Reference)], theme.u(110)); // words only
     return least;
 }
 
@@ -142,7 +143,8 @@ ColumnWidths columnWidthsFor(
     widen(ParameterModel::Key, widths[at(ParameterModel::Raw)] > 0 ? natural[at(ParameterModel::Key)] : theme.u(140));
     widen(ParameterModel::Label, theme.u(190));
     widen(ParameterModel::Key, natural[at(ParameterModel::Key)]);
-    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::State})
+    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::State,
+             ParameterModel::Reference})
         widen(column, natural[at(column)]);
     if (spare <= 0)
         return widths;
