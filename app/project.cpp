@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project.h"
 
+#include "experiment/envelope.h"
 #include "files/filebytes.h"
+#include "files/jsonfields.h"
 #include "model/parameterfile.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/envelopebook.h"
@@ -13,6 +15,17 @@
 #include <algorithm>
 
 namespace mb {
+
+template <>
+const JsonFields<ProjectUnit> jsonFields<ProjectUnit>{{"device", &ProjectUnit::selector}, {"unit", &ProjectUnit::unit},
+    {"title", &ProjectUnit::title}, {"name", &ProjectUnit::name}, {"serial", &ProjectUnit::serial},
+    {"dialect", &ProjectUnit::dialect}, {"calibration", &ProjectUnit::calibration},
+    {"limits", [](const ProjectUnit &unit) { return tuning::limitsToJson(unit.limits); },
+        [](const QJsonValue &json, ProjectUnit &unit) {
+            unit.limits = tuning::limitsFrom(json.toObject());
+            return json.isObject();
+        }}};
+
 namespace {
 
 constexpr int projectFormat = 1;
@@ -29,48 +42,6 @@ QString parametersFile(const ProjectUnit &unit)
 {
     const std::string who = unit.serial.empty() ? unit.selector : unit.serial;
     return QStringLiteral("parameters/%1.json").arg(QString::fromStdString(fileNameOf(who)));
-}
-
-QJsonObject toJson(const ProjectUnit &unit)
-{
-    QJsonObject calibration;
-    for (const auto &[key, value] : unit.calibration)
-        calibration[QString::fromStdString(key)] = value;
-    QJsonObject limits;
-    for (const EnvelopeBound &bound : envelopeBounds) {
-        if (const auto &value = unit.limits.*bound.value)
-            limits[QLatin1String(bound.key)] = *value;
-    }
-    QJsonObject object{{QStringLiteral("device"), qt(unit.selector)}, {QStringLiteral("unit"), qt(unit.unit)},
-        {QStringLiteral("title"), qt(unit.title)}, {QStringLiteral("name"), qt(unit.name)},
-        {QStringLiteral("serial"), qt(unit.serial)}, {QStringLiteral("dialect"), qt(unit.dialect)},
-        {QStringLiteral("calibration"), calibration}, {QStringLiteral("limits"), limits}};
-    if (!unit.parameters.isEmpty())
-        object[QStringLiteral("parameters")] = parametersFile(unit);
-    return object;
-}
-
-ProjectUnit fromJson(const QJsonObject &object)
-{
-    const auto text = [&object](const char *key) { return object.value(QLatin1String(key)).toString().toStdString(); };
-    ProjectUnit unit;
-    unit.selector = text("device");
-    unit.unit = text("unit");
-    unit.title = text("title");
-    unit.name = text("name");
-    unit.serial = text("serial");
-    unit.dialect = text("dialect");
-    const QJsonObject calibration = object.value(QStringLiteral("calibration")).toObject();
-    for (auto entry = calibration.begin(); entry != calibration.end(); ++entry) {
-        if (entry.value().isDouble())
-            unit.calibration[entry.key().toStdString()] = entry.value().toDouble();
-    }
-    const QJsonObject limits = object.value(QStringLiteral("limits")).toObject();
-    for (const EnvelopeBound &bound : envelopeBounds) {
-        if (const QJsonValue value = limits.value(QLatin1String(bound.key)); isBound(bound, value.toDouble()))
-            unit.limits.*bound.value = value.toDouble();
-    }
-    return unit;
 }
 
 /// Its settings; live values would make a difference each time.
@@ -129,13 +100,14 @@ Result<void> Project::save(const QString &folder) const
     }
     QJsonArray rows;
     for (const ProjectUnit &unit : units) {
-        rows.append(toJson(unit));
-        if (unit.parameters.isEmpty())
-            continue;
-        if (auto written
-            = writeIfNew(folder + QLatin1Char('/') + parametersFile(unit), QJsonDocument(unit.parameters).toJson());
-            !written)
-            return written;
+        QJsonObject row = toJson(unit);
+        if (!unit.parameters.isEmpty()) {
+            row.insert(QStringLiteral("parameters"), parametersFile(unit));
+            const QString file = folder + QLatin1Char('/') + parametersFile(unit);
+            if (auto written = writeIfNew(file, QJsonDocument(unit.parameters).toJson()); !written)
+                return written;
+        }
+        rows.append(row);
     }
     const QJsonObject object{{QStringLiteral("project"), projectFormat},
         {QStringLiteral("links"), QJsonArray::fromStringList(links)}, {QStringLiteral("units"), rows}};
@@ -165,7 +137,8 @@ Result<Project> Project::load(const QString &folder)
         project.links += link.toString();
     }
     for (const QJsonValue row : object.value(QStringLiteral("units")).toArray()) {
-        ProjectUnit unit = fromJson(row.toObject());
+        ProjectUnit unit;
+        fromJson(row, unit);
         const QString parameters = row.toObject().value(QStringLiteral("parameters")).toString();
         if (!parameters.isEmpty() && parameters == parametersFile(unit)) { // and no other file of this computer
             const auto values = loadFile((folder + QLatin1Char('/') + parameters).toStdString(), largestProject);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sessionrecord.h"
 
-#include <QJsonArray>
+#include "files/jsonfields.h"
+
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -10,24 +11,29 @@ namespace {
 
 constexpr int sessionFormat = 1;
 
-QStringList textsOf(const QJsonValue &value)
+QJsonValue geometryToJson(const SessionRecord &record)
 {
-    QStringList texts;
-    for (const QJsonValue one : value.toArray())
-        texts += one.toString();
-    return texts;
+    return QString::fromLatin1(record.geometry.toBase64());
+}
+
+bool readGeometry(const QJsonValue &json, SessionRecord &record)
+{
+    record.geometry = QByteArray::fromBase64(json.toString().toLatin1());
+    return json.isString();
 }
 
 } // namespace
 
+template <>
+const JsonFields<SessionRecord> jsonFields<SessionRecord>{{"begun", &SessionRecord::begun},
+    {"changed", &SessionRecord::changed}, {"ended", &SessionRecord::ended}, {"links", &SessionRecord::links},
+    {"units", &SessionRecord::units}, {"selected", &SessionRecord::selected}, {"axis", &SessionRecord::axis},
+    {"page", &SessionRecord::page}, {"geometry", geometryToJson, readGeometry}};
+
 QByteArray SessionRecord::toJson() const
 {
-    const QJsonObject object{{QStringLiteral("session"), sessionFormat}, {QStringLiteral("begun"), begun},
-        {QStringLiteral("changed"), changed}, {QStringLiteral("ended"), ended},
-        {QStringLiteral("links"), QJsonArray::fromStringList(links)},
-        {QStringLiteral("units"), QJsonArray::fromStringList(units)}, {QStringLiteral("selected"), selected},
-        {QStringLiteral("axis"), axis}, {QStringLiteral("page"), page},
-        {QStringLiteral("geometry"), QString::fromLatin1(geometry.toBase64())}};
+    QJsonObject object = mb::toJson(*this);
+    object.insert(QStringLiteral("session"), sessionFormat);
     return QJsonDocument(object).toJson();
 }
 
@@ -37,15 +43,7 @@ Result<SessionRecord> SessionRecord::fromJson(const QByteArray &json)
     if (object.value(QStringLiteral("session")).toInt() != sessionFormat)
         return fail(Fault::OutOfRange, say("this is no session of MotorBench"));
     SessionRecord record;
-    record.begun = static_cast<qint64>(object.value(QStringLiteral("begun")).toDouble());
-    record.changed = static_cast<qint64>(object.value(QStringLiteral("changed")).toDouble());
-    record.ended = object.value(QStringLiteral("ended")).toBool();
-    record.links = textsOf(object.value(QStringLiteral("links")));
-    record.units = textsOf(object.value(QStringLiteral("units")));
-    record.selected = object.value(QStringLiteral("selected")).toString();
-    record.axis = object.value(QStringLiteral("axis")).toInt();
-    record.page = object.value(QStringLiteral("page")).toString();
-    record.geometry = QByteArray::fromBase64(object.value(QStringLiteral("geometry")).toString().toLatin1());
+    mb::fromJson(object, record);
     return record;
 }
 

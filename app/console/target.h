@@ -51,10 +51,4 @@ void noteRemark(Console &console, Link &link);
 /// Of --for: nothing when it is not given.
 [[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);
 
-/// Empty text is unknown.
-[[nodiscard]] inline QJsonValue textOrNull(std::string_view text)
-{
-    return text.empty() ? QJsonValue() : QJsonValue(qt(text));
-}
-
 } // namespace mb::console

@@ -4,31 +4,17 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "files/filebytes.h"
+#include "storage/trialjson.h"
 #include "tuning/feedforwardnote.h"
 #include "tuning/modelnumbers.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <cmath>
-
 namespace mb::console {
 namespace {
 
 using namespace tuning;
-
-QJsonValue orNull(const std::optional<double> &value)
-{
-    return value && std::isfinite(*value) ? QJsonValue(*value) : QJsonValue();
-}
-
-QJsonObject metricsToJson(const Metrics &metrics)
-{
-    QJsonObject object;
-    for (const MetricKey &key : metricKeys())
-        object.insert(qt(key.key), orNull(metrics.*key.value));
-    return object;
-}
 
 QJsonObject modelToJson(const TuneReport &report)
 {
@@ -38,12 +24,12 @@ QJsonObject modelToJson(const TuneReport &report)
     for (const auto &[key, number] :
         {std::pair("gain", numbers.gain), std::pair("tau", numbers.tau), std::pair("delay", numbers.delay),
             std::pair("friction", numbers.friction), std::pair("load", numbers.load)}) {
-        object.insert(QLatin1String(key), orNull(number.value));
-        object.insert(QLatin1String(key) + QStringLiteral("_error"), orNull(number.error));
+        object.insert(QLatin1String(key), mb::toJson(number.value));
+        object.insert(QLatin1String(key) + QStringLiteral("_error"), mb::toJson(number.error));
     }
     for (const auto &[key, number] : {std::pair("forward", numbers.forward), std::pair("reverse", numbers.reverse),
              std::pair("noise", numbers.noise), std::pair("latency", numbers.latency)})
-        object.insert(QLatin1String(key), orNull(number.value));
+        object.insert(QLatin1String(key), mb::toJson(number.value));
     object.insert(
         QStringLiteral("filter"), qt(toString(motor.filter ? motor.filter->kind : VelocityFilter::Kind::None)));
     object.insert(QStringLiteral("window"), motor.filter ? QJsonValue(motor.filter->window) : QJsonValue());
@@ -60,7 +46,7 @@ QJsonObject gainsToJson(const TuneReport &report)
                 from = value;
         }
         object.insert(qt(row.key),
-            QJsonObject{{QStringLiteral("from"), orNull(from)}, {QStringLiteral("to"), row.number},
+            QJsonObject{{QStringLiteral("from"), mb::toJson(from)}, {QStringLiteral("to"), row.number},
                 {QStringLiteral("raw"), static_cast<double>(row.raw)}});
     }
     return object;
@@ -171,29 +157,26 @@ void printGains(Output &out, const TuneReport &report)
 
 QJsonObject toJson(const TuneReport &report)
 {
-    QJsonArray trials;
-    for (const std::int64_t number : report.trials)
-        trials.append(static_cast<double>(number));
     QJsonObject object{{QStringLiteral("result"), qt(toString(report.result))},
         {QStringLiteral("device"), qt(report.device)}, {QStringLiteral("loop"), qt(toString(report.loop))},
         {QStringLiteral("axis"), report.axis}, {QStringLiteral("slot"), report.slot},
         {QStringLiteral("simulated"), report.simulated}, {QStringLiteral("stopped"), report.stopped},
-        {QStringLiteral("seconds"), report.seconds}, {QStringLiteral("trials"), trials},
+        {QStringLiteral("seconds"), report.seconds}, {QStringLiteral("trials"), mb::toJson(report.trials)},
         {QStringLiteral("evidence"), qt(report.evidence.english())}, {QStringLiteral("quality"), qualityToJson(report)},
         {QStringLiteral("gains"), gainsToJson(report)}, {QStringLiteral("notes"), notesToJson(report)}};
     object.insert(QStringLiteral("model"), report.motor ? QJsonValue(modelToJson(report)) : QJsonValue());
     object.insert(QStringLiteral("predicted"),
-        report.predicted ? QJsonValue(metricsToJson(report.predicted->metrics)) : QJsonValue());
+        report.predicted ? QJsonValue(mb::toJson(report.predicted->metrics)) : QJsonValue());
     object.insert(
-        QStringLiteral("measured"), report.proof.empty() ? QJsonValue() : QJsonValue(metricsToJson(report.measured)));
+        QStringLiteral("measured"), report.proof.empty() ? QJsonValue() : QJsonValue(mb::toJson(report.measured)));
     object.insert(QStringLiteral("profile"),
         report.profile ? QJsonValue(QJsonObject{{QStringLiteral("speed"), report.profile->speed},
             {QStringLiteral("acceleration"), report.profile->acceleration}})
                        : QJsonValue());
     object.insert(QStringLiteral("margins"),
-        report.margins ? QJsonValue(QJsonObject{{QStringLiteral("ms"), orNull(report.margins->ms)},
-            {QStringLiteral("gm"), orNull(report.margins->gain)},
-            {QStringLiteral("pm"), orNull(report.margins->phase)}})
+        report.margins ? QJsonValue(QJsonObject{{QStringLiteral("ms"), mb::toJson(report.margins->ms)},
+            {QStringLiteral("gm"), mb::toJson(report.margins->gain)},
+            {QStringLiteral("pm"), mb::toJson(report.margins->phase)}})
                        : QJsonValue());
     return object;
 }

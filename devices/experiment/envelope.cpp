@@ -153,6 +153,27 @@ EnvelopeFacts factsOf(const Device &device, int axis)
     return {device.selector(), device.link().address().isSimulated(), hasCurrentScale(device, axis)};
 }
 
+QJsonObject limitsToJson(const Envelope &limits)
+{
+    QJsonObject object;
+    for (const EnvelopeBound &bound : envelopeBounds) {
+        if (const auto value = limits.*bound.value)
+            object.insert(QLatin1String(bound.key), *value);
+    }
+    return object;
+}
+
+Envelope limitsFrom(const QJsonObject &object)
+{
+    Envelope limits;
+    for (const EnvelopeBound &bound : envelopeBounds) {
+        const double value = object.value(QLatin1String(bound.key)).toDouble();
+        if (isBound(bound, value))
+            limits.*bound.value = value;
+    }
+    return limits;
+}
+
 Result<Envelope> resolve(
     const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own)
 {

@@ -5,6 +5,8 @@
 #include "model/device.h"
 #include "model/trialtraits.h"
 
+#include <QJsonObject>
+
 namespace mb::tuning {
 
 /// Channel of an axis; nothing where the family has none of this key.
@@ -32,6 +34,11 @@ struct EnvelopeFacts {
 
 /// OutOfRange where somebody gives what is no bound: 0 leaves nothing that could move.
 [[nodiscard]] Result<void> checkBound(const EnvelopeBound &bound, double value);
+
+/// What is given of them, as files have it.
+[[nodiscard]] QJsonObject limitsToJson(const Envelope &limits);
+/// What bounds nothing is no limit, and is not taken for one.
+[[nodiscard]] Envelope limitsFrom(const QJsonObject &object);
 
 /// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
 /// the rest. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.

@@ -14,11 +14,6 @@
 namespace mb {
 namespace {
 
-QJsonValue textOrNull(const std::string &text)
-{
-    return text.empty() ? QJsonValue() : QJsonValue(qt(text));
-}
-
 using OptionalRaw = std::optional<std::int64_t>;
 
 Result<OptionalRaw> rawOf(const Parameter &parameter, const QJsonValue &raw)

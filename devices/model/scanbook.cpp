@@ -2,50 +2,36 @@
 #include "model/scanbook.h"
 
 #include "files/filebytes.h"
+#include "files/jsonfields.h"
 #include "files/jsonlines.h"
 #include "files/qttext.h"
 #include "model/deviceprofile.h"
 
 #include <QDir>
 #include <QFile>
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
 #include <optional>
 
 namespace mb {
+
+template <>
+const JsonFields<Identity> jsonFields<Identity>{{"family", &Identity::family}, {"address", &Identity::address},
+    {"dialect", &Identity::dialect}, {"descriptors", &Identity::descriptors}};
+
 namespace {
 
 constexpr std::int64_t greatestBook = 1 << 20;
 constexpr int greatestAddress = 1 << 16;
 
-QJsonObject toJson(const Identity &identity)
-{
-    QJsonObject descriptors;
-    for (const auto &[key, text] : identity.descriptors)
-        descriptors.insert(qt(key), qt(text));
-    return {
-        {QStringLiteral("family"), qt(identity.family)},
-        {QStringLiteral("address"), identity.address},
-        {QStringLiteral("dialect"), qt(identity.dialect)},
-        {QStringLiteral("descriptors"), descriptors},
-    };
-}
-
 std::optional<Identity> identityIn(const QJsonValue &value)
 {
-    const QJsonObject object = value.toObject();
     Identity identity;
-    identity.family = object.value(QStringLiteral("family")).toString().toStdString();
-    identity.address = object.value(QStringLiteral("address")).toInt(-1);
-    identity.dialect = object.value(QStringLiteral("dialect")).toString().toStdString();
-    const QJsonObject descriptors = object.value(QStringLiteral("descriptors")).toObject();
-    for (auto entry = descriptors.begin(); entry != descriptors.end(); ++entry)
-        identity.descriptors.emplace_back(entry.key().toStdString(), entry->toString().toStdString());
-    if (identity.family.empty() || identity.address < 0 || identity.address > greatestAddress)
-        return std::nullopt;
-    return identity;
+    identity.address = -1;
+    fromJson(value, identity);
+    const bool isOne = !identity.family.empty() && identity.address >= 0 && identity.address <= greatestAddress;
+    return isOne ? std::optional(identity) : std::nullopt;
 }
 
 std::optional<std::vector<Identity>> parse(const QByteArray &bytes, std::string_view link)
@@ -92,10 +78,7 @@ Result<void> ScanBook::save(std::string_view link, const std::vector<Identity> &
     if (!QDir().mkpath(qt(m_directory)))
         return fail(
             Fault::OutOfRange, say("%1 cannot be made", m_directory), say("check the rights of the folder above it"));
-    QJsonArray rows;
-    for (const Identity &identity : seen)
-        rows.append(toJson(identity));
-    const QJsonObject object{{QStringLiteral("link"), qt(link)}, {QStringLiteral("devices"), rows}};
+    const QJsonObject object{{QStringLiteral("link"), qt(link)}, {QStringLiteral("devices"), toJson(seen)}};
     return saveFile(pathOf(link), QJsonDocument(object).toJson());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/recipe.h"
 
+#include "experiment/envelope.h"
 #include "experiment/experiment.h"
 #include "experiment/metrics.h"
 #include "files/qttext.h"
@@ -17,16 +18,6 @@ namespace mb::service {
 namespace {
 
 constexpr std::array motorKeys{figure::resistance, figure::friction, figure::gain, figure::encoder};
-
-QJsonObject limitsOf(const Envelope &limits)
-{
-    QJsonObject object;
-    for (const EnvelopeBound &bound : envelopeBounds) {
-        if (const auto value = limits.*bound.value)
-            object.insert(QLatin1String(bound.key), *value);
-    }
-    return object;
-}
 
 QJsonObject acceptOf(const std::vector<Acceptance> &accept)
 {
@@ -46,7 +37,7 @@ QJsonObject testOf(const SelfTest &test)
 {
     QJsonObject object{{QStringLiteral("loop"), qt(toString(test.loop))}, {QStringLiteral("to"), test.to},
         {QStringLiteral("repeat"), test.repeat}, {QStringLiteral("axis"), test.axis},
-        {QStringLiteral("slot"), test.slot}, {QStringLiteral("limits"), limitsOf(test.limits)},
+        {QStringLiteral("slot"), test.slot}, {QStringLiteral("limits"), tuning::limitsToJson(test.limits)},
         {QStringLiteral("accept"), acceptOf(test.accept)}};
     if (test.from)
         object.insert(QStringLiteral("from"), *test.from);

@@ -12,6 +12,12 @@ namespace mb {
 /// what stands in it. Text that is nobody's to translate, and what older versions wrote, is a plain string.
 [[nodiscard]] QJsonValue toJson(const Message &message);
 [[nodiscard]] Message messageFrom(const QJsonValue &value);
+/// For fields of that type (files/jsonfields.h).
+inline bool fromJson(const QJsonValue &value, Message &message)
+{
+    message = messageFrom(value);
+    return value.isString() || value.isObject();
+}
 
 /// The same in a column of text.
 [[nodiscard]] QString savedText(const Message &message);

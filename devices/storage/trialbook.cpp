@@ -63,10 +63,10 @@ KeptTrial trialOf(const QSqlQuery &row)
     trial.axis = row.value(7).toInt();
     trial.slot = row.value(8).toInt();
     readStimulus(parsed(row.value(9)).object(), trial);
-    readEnvelope(parsed(row.value(10)).object(), trial);
-    readGains(parsed(row.value(11)).object(), trial);
+    fromJson(parsed(row.value(10)).object(), trial.envelope);
+    fromJson(parsed(row.value(11)).object(), trial.gains);
     readMetrics(parsed(row.value(12)).object(), trial);
-    readFlags(parsed(row.value(13)).array(), trial);
+    fromJson(parsed(row.value(13)).array(), trial.flags);
     trial.reason = textAt(row, 14);
     trial.detail = messageFrom(textAt(row, 15));
     trial.stopped = row.value(16).toBool();
@@ -147,7 +147,7 @@ Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
                          "'the program ended before the trial did', 0, 0, 0, ?)",
             {now(), qt(trial.device), qt(resolvedUnit(m_database, trial.unit)), qt(trial.firmware), trial.simulated,
                 qt(toString(trial.mode)), trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)),
-                textOf(toJson(trial.envelope)), textOf(gainsToJson(trial)), qt(thisProgram())});
+                textOf(toJson(trial.envelope)), textOf(toJson(trial.gains)), qt(thisProgram())});
     if (!added)
         co_return fail(added.error());
     co_return m_database.lastRow();
@@ -203,8 +203,8 @@ Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
             "samples = ?, "
             "lost = ?, program = '' "
             "WHERE id = ?",
-            {textOf(stimulusToJson(trial)), textOf(gainsToJson(trial)), textOf(metricsToJson(trial)),
-                textOf(flagsToJson(trial)), reason, savedText(trial.detail), trial.stopped,
+            {textOf(stimulusToJson(trial)), textOf(toJson(trial.gains)), textOf(metricsToJson(trial)),
+                textOf(toJson(trial.flags)), reason, savedText(trial.detail), trial.stopped,
                 static_cast<qint64>(trial.samples), static_cast<qint64>(trial.lost), static_cast<qint64>(number)});
         return changed ? keepSignals(number, trial.signals) : changed;
     });

@@ -30,15 +30,9 @@ QJsonObject signalsToJson(const Trial &trial)
 {
     QJsonObject all;
     for (const tuning::Signal &signal : trial.signals) {
-        QJsonArray times;
-        QJsonArray values;
-        for (std::size_t i = 0; i < signal.trace.size(); ++i) {
-            times.append(signal.trace.t[i]);
-            values.append(signal.trace.y[i]);
-        }
         all.insert(qt(signal.channel),
-            QJsonObject{{QStringLiteral("unit"), qt(signal.unit)}, {QStringLiteral("t"), times},
-                {QStringLiteral("value"), values}});
+            QJsonObject{{QStringLiteral("unit"), qt(signal.unit)}, {QStringLiteral("t"), toJson(signal.trace.t)},
+                {QStringLiteral("value"), toJson(signal.trace.y)}});
     }
     return all;
 }
@@ -111,8 +105,7 @@ QJsonObject trialRow(const KeptTrial &kept)
 {
     QJsonObject row = toJson(kept.trial, kept.number);
     row.insert(QStringLiteral("time"), kept.time);
-    row.insert(
-        QStringLiteral("firmware"), kept.trial.firmware.empty() ? QJsonValue() : QJsonValue(qt(kept.trial.firmware)));
+    row.insert(QStringLiteral("firmware"), textOrNull(kept.trial.firmware));
     row.insert(QStringLiteral("unit"), qt(kept.trial.unit));
     row.insert(QStringLiteral("simulated"), kept.trial.simulated);
     row.insert(QStringLiteral("star"), kept.star);

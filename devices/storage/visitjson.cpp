@@ -2,6 +2,7 @@
 #include "storage/visitjson.h"
 
 #include "files/filebytes.h"
+#include "files/jsonfields.h"
 #include "files/qttext.h"
 #include "model/parameter.h"
 
@@ -16,21 +17,6 @@ namespace {
 using service::TestValue;
 using service::Visit;
 
-QJsonValue jsonOrNull(const std::string &text)
-{
-    return text.empty() ? QJsonValue() : QJsonValue(qt(text));
-}
-
-QJsonValue jsonOrNull(const std::optional<double> &number)
-{
-    return number ? QJsonValue(*number) : QJsonValue();
-}
-
-std::optional<double> numberIn(const QJsonValue &value)
-{
-    return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
-}
-
 /// KEY: value, as the recipe names them.
 QJsonObject testLine(const Visit &visit)
 {
@@ -39,7 +25,7 @@ QJsonObject testLine(const Visit &visit)
         if (value.key == "encoder")
             object.insert(qt(value.key), value.value.value_or(0.0) != 0.0);
         else
-            object.insert(qt(value.key), jsonOrNull(value.value));
+            object.insert(qt(value.key), toJson(value.value));
     }
     return object;
 }
@@ -85,32 +71,20 @@ std::string csvRow(const Visit &v, const std::set<std::string> &keys)
 
 } // namespace
 
+template <>
+const JsonFields<TestValue> jsonFields<TestValue>{{"key", &TestValue::key}, {"value", &TestValue::value},
+    {"low", &TestValue::low}, {"high", &TestValue::high}, {"passed", &TestValue::passed},
+    {"unusual", &TestValue::unusual}};
+
 QJsonArray testToJson(const std::vector<TestValue> &test)
 {
-    QJsonArray array;
-    for (const TestValue &value : test) {
-        array.append(
-            QJsonObject{{QStringLiteral("key"), qt(value.key)}, {QStringLiteral("value"), jsonOrNull(value.value)},
-                {QStringLiteral("low"), jsonOrNull(value.low)}, {QStringLiteral("high"), jsonOrNull(value.high)},
-                {QStringLiteral("passed"), value.passed}, {QStringLiteral("unusual"), value.unusual}});
-    }
-    return array;
+    return toJson(test);
 }
 
 std::vector<TestValue> testFromJson(const QJsonArray &array)
 {
     std::vector<TestValue> test;
-    for (const QJsonValue each : array) {
-        const QJsonObject object = each.toObject();
-        TestValue value;
-        value.key = object.value(QStringLiteral("key")).toString().toStdString();
-        value.value = numberIn(object.value(QStringLiteral("value")));
-        value.low = numberIn(object.value(QStringLiteral("low")));
-        value.high = numberIn(object.value(QStringLiteral("high")));
-        value.passed = object.value(QStringLiteral("passed")).toBool();
-        value.unusual = object.value(QStringLiteral("unusual")).toBool();
-        test.push_back(std::move(value));
-    }
+    fromJson(array, test);
     return test;
 }
 
@@ -118,13 +92,13 @@ QJsonObject visitLine(const Visit &visit)
 {
     return {
         {QStringLiteral("unit"), qt(visit.unit)},
-        {QStringLiteral("serial"), jsonOrNull(visit.serial)},
+        {QStringLiteral("serial"), textOrNull(visit.serial)},
         {QStringLiteral("device"), qt(visit.device)},
         {QStringLiteral("result"), qt(toString(visit.outcome))},
         {QStringLiteral("step"), qt(toString(visit.step))},
-        {QStringLiteral("from"), jsonOrNull(visit.from)},
-        {QStringLiteral("to"), jsonOrNull(visit.to)},
-        {QStringLiteral("parameters"), visit.parameters ? QJsonValue(*visit.parameters) : QJsonValue()},
+        {QStringLiteral("from"), textOrNull(visit.from)},
+        {QStringLiteral("to"), textOrNull(visit.to)},
+        {QStringLiteral("parameters"), toJson(visit.parameters)},
         {QStringLiteral("test"), testLine(visit)},
         {QStringLiteral("seconds"), std::round(visit.seconds * 1e3) / 1e3},
         {QStringLiteral("evidence"), evidenceOf(visit)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/envelopebook.h"
 
+#include "experiment/envelope.h"
 #include "files/filebytes.h"
 #include "widgets/common/devicetext.h"
 
@@ -21,28 +22,6 @@ const QLatin1String fileKind("experiment limits");
 const QLatin1String unitsKey("units");
 const QLatin1String enteredKey("entered");
 const QLatin1String namedKey("named");
-
-QJsonObject toJson(const Envelope &limits)
-{
-    QJsonObject object;
-    for (const EnvelopeBound &bound : envelopeBounds) {
-        if (const auto value = limits.*bound.value)
-            object.insert(QLatin1String(bound.key), *value);
-    }
-    return object;
-}
-
-/// What bounds nothing is no limit, and is not taken for one.
-Envelope fromJson(const QJsonObject &object)
-{
-    Envelope limits;
-    for (const EnvelopeBound &bound : envelopeBounds) {
-        const double value = object.value(QLatin1String(bound.key)).toDouble();
-        if (isBound(bound, value))
-            limits.*bound.value = value;
-    }
-    return limits;
-}
 
 /// None where there is no file.
 Result<QJsonObject> unitsIn(const QString &file)
@@ -85,10 +64,10 @@ Result<void> EnvelopeBook::open(const QString &file)
     for (auto unit = units->begin(); unit != units->end(); ++unit) {
         Unit &read = m_units[unit.key().toStdString()];
         const QJsonObject object = unit.value().toObject();
-        read.entered = fromJson(object.value(enteredKey).toObject());
+        read.entered = tuning::limitsFrom(object.value(enteredKey).toObject());
         const QJsonObject named = object.value(namedKey).toObject();
         for (auto limits = named.begin(); limits != named.end(); ++limits)
-            read.named.emplace(limits.key(), fromJson(limits.value().toObject()));
+            read.named.emplace(limits.key(), tuning::limitsFrom(limits.value().toObject()));
     }
     m_file = file;
     return {};
@@ -101,9 +80,9 @@ void EnvelopeBook::write(const std::string &name)
     const Unit &unit = m_units.at(name);
     QJsonObject named;
     for (const auto &[title, limits] : unit.named)
-        named.insert(title, toJson(limits));
+        named.insert(title, tuning::limitsToJson(limits));
     const QString key = QString::fromStdString(name);
-    const QJsonObject object{{enteredKey, toJson(unit.entered)}, {namedKey, named}};
+    const QJsonObject object{{enteredKey, tuning::limitsToJson(unit.entered)}, {namedKey, named}};
     m_disk.order(
         key, [file = m_file, key, object] { return writeUnit(file, key, object); },
         [this](const Result<void> &written) {

@@ -2,10 +2,10 @@
 #include "widgets/plots/plotlayout.h"
 
 #include "files/filebytes.h"
+#include "files/jsonfields.h"
 
 #include <QDir>
 #include <QFile>
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QUrl>
@@ -14,63 +14,47 @@ namespace mb {
 namespace {
 
 constexpr qint64 largestLayout = 1'000'000;
-constexpr int mostTraces = 500;
+constexpr std::size_t mostTraces = 500;
 constexpr double shortestWindow = 1e-3;
 constexpr double longestWindow = 86400.0;
 
-QString key(const char *name)
-{
-    return QString::fromLatin1(name);
-}
+const QLatin1String layoutKey("motorbench");
+const QLatin1String layoutMark("plot layout");
 
 } // namespace
 
+template <>
+const JsonFields<PlotLayout::Trace> jsonFields<PlotLayout::Trace>{{"device", &PlotLayout::Trace::device},
+    {"key", &PlotLayout::Trace::key}, {"pane", &PlotLayout::Trace::pane}, {"second", &PlotLayout::Trace::second}};
+template <>
+const JsonFields<PlotLayout::Meaning> jsonFields<PlotLayout::Meaning>{
+    {"name", &PlotLayout::Meaning::name}, {"device", &PlotLayout::Meaning::device}, {"key", &PlotLayout::Meaning::key}};
+template <>
+const JsonFields<PlotLayout::Derived> jsonFields<PlotLayout::Derived>{{"name", &PlotLayout::Derived::name},
+    {"unit", &PlotLayout::Derived::unit}, {"formula", &PlotLayout::Derived::formula},
+    {"meanings", &PlotLayout::Derived::meanings}};
+template <>
+const JsonFields<PlotLayout> jsonFields<PlotLayout>{
+    {"window", &PlotLayout::window}, {"traces", &PlotLayout::traces}, {"derived", &PlotLayout::derived}};
+
 QByteArray PlotLayout::toJson() const
 {
-    QJsonArray shown;
-    for (const Trace &trace : traces)
-        shown.append(QJsonObject{{key("device"), trace.device}, {key("key"), trace.key}, {key("pane"), trace.pane},
-            {key("second"), trace.second}});
-    QJsonArray formulas;
-    for (const Derived &signal : derived) {
-        QJsonArray meanings;
-        for (const Meaning &meaning : signal.meanings)
-            meanings.append(
-                QJsonObject{{key("name"), meaning.name}, {key("device"), meaning.device}, {key("key"), meaning.key}});
-        formulas.append(QJsonObject{{key("name"), signal.name}, {key("unit"), signal.unit},
-            {key("formula"), signal.formula}, {key("meanings"), meanings}});
-    }
-    return QJsonDocument(QJsonObject{{key("motorbench"), key("plot layout")}, {key("window"), window},
-                             {key("traces"), shown}, {key("derived"), formulas}})
-        .toJson();
+    QJsonObject object = mb::toJson(*this);
+    object.insert(layoutKey, layoutMark);
+    return QJsonDocument(object).toJson();
 }
 
 Result<PlotLayout> PlotLayout::fromJson(const QByteArray &json)
 {
     const QJsonObject object = QJsonDocument::fromJson(json).object();
-    if (object.value(key("motorbench")).toString() != key("plot layout"))
+    if (object.value(layoutKey).toString() != layoutMark)
         return fail(Fault::OutOfRange, say("this is no layout of plots"));
     PlotLayout layout;
-    layout.window = object.value(key("window")).toDouble(layout.window);
+    mb::fromJson(object, layout);
     if (!(layout.window >= shortestWindow && layout.window <= longestWindow))
         return fail(Fault::OutOfRange, say("the window of the layout is out of range"));
-    for (const QJsonValue value : object.value(key("traces")).toArray()) {
-        const QJsonObject trace = value.toObject();
-        layout.traces.push_back({trace.value(key("device")).toString(), trace.value(key("key")).toString(),
-            trace.value(key("pane")).toString(), trace.value(key("second")).toBool()});
-        if (layout.traces.size() > mostTraces)
-            return fail(Fault::OutOfRange, say("the layout has more than 500 traces"));
-    }
-    for (const QJsonValue value : object.value(key("derived")).toArray()) {
-        const QJsonObject signal = value.toObject();
-        layout.derived.push_back({signal.value(key("name")).toString(), signal.value(key("unit")).toString(),
-            signal.value(key("formula")).toString()});
-        for (const QJsonValue said : signal.value(key("meanings")).toArray()) {
-            const QJsonObject meaning = said.toObject();
-            layout.derived.back().meanings.push_back({meaning.value(key("name")).toString(),
-                meaning.value(key("device")).toString(), meaning.value(key("key")).toString()});
-        }
-    }
+    if (layout.traces.size() > mostTraces)
+        return fail(Fault::OutOfRange, say("the layout has more than 500 traces"));
     return layout;
 }
 
