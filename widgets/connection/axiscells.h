@@ -18,12 +18,15 @@ class ElidedLabel;
 class Sparkline;
 class StateGlyph;
 
-/// The axes of a board beside each other: state, name, what each is told, its value and the last ten seconds of it. The name
-/// selects the axis. Where four are too wide they stand two by two.
+/// The axes of a board: state, name, what each is told and its value. The name selects the axis.
 class AxisCells : public QWidget {
     Q_OBJECT
 public:
-    explicit AxisCells(const ThemeSource &theme, QWidget *parent = nullptr);
+    enum class Look {
+        Rows, ///< a line each
+        Cells ///< beside each other, each with its last ten seconds; where four are too wide they stand two by two
+    };
+    AxisCells(const ThemeSource &theme, Look look, QWidget *parent = nullptr);
     void show(const DeviceView &device, Instant now);
 
 Q_SIGNALS:
@@ -39,12 +42,14 @@ private:
         QPushButton *name = nullptr;
         ElidedLabel *command = nullptr;
         QLabel *value = nullptr;
-        Sparkline *line = nullptr;
+        Sparkline *line = nullptr; ///< of a cell
     };
     void add();
+    void fill(Cell &cell);
     void arrange();
 
     const ThemeSource &m_theme;
+    const Look m_look;
     QGridLayout *m_grid = nullptr;
     std::vector<Cell> m_cells;
     int m_columns = 0;

@@ -130,7 +130,7 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
 void DeviceCard::showAxes(const DeviceView &device, Instant now)
 {
     if (!m_axes) {
-        m_axes = new AxisCells(m_theme, this);
+        m_axes = new AxisCells(m_theme, AxisCells::Look::Cells, this);
         body().insertWidget(0, m_axes, 1);
         connect(m_axes, &AxisCells::axisActivated, this, &DeviceCard::axisActivated);
     }

@@ -10,7 +10,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/common/wraplayout.h"
-#include "widgets/connection/axisrows.h"
+#include "widgets/connection/axiscells.h"
 #include "widgets/connection/profilepanel.h"
 #include "wire/fixedpoint.h"
 
@@ -80,11 +80,11 @@ void Inspector::buildLive(QVBoxLayout &column)
 {
     column.addWidget(separatorLine(Qt::Horizontal, this));
     column.addWidget(new SectionLabel(tr("Live"), this));
-    m_axes = new AxisRows(m_theme, this);
+    m_axes = new AxisCells(m_theme, AxisCells::Look::Rows, this);
     m_axes->hide();
     column.addWidget(m_axes);
     connect(
-        m_axes, &AxisRows::axisActivated, this, [this](int axis) { m_selection.select(m_selection.device(), axis); });
+        m_axes, &AxisCells::axisActivated, this, [this](int axis) { m_selection.select(m_selection.device(), axis); });
     const auto add
         = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
               ValueLabel *label = addRow(column, caption);

@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace mb {
 
-class AxisRows;
+class AxisCells;
 class CommandButton;
 class ProfilePanel;
 class ValueLabel;
@@ -51,7 +51,7 @@ private:
     CommandButton *m_identify = nullptr;
     CommandButton *m_read = nullptr;
     std::vector<LiveRow> m_live;
-    AxisRows *m_axes = nullptr;
+    AxisCells *m_axes = nullptr;
     ProfilePanel *m_profile = nullptr;
     ValueLabel *m_serial = nullptr;
     ValueLabel *m_firmware = nullptr;
