@@ -8,7 +8,11 @@
 namespace mb::abstractdc::simulation {
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr double glitchWindow = 20e-6; ///< how long after a wrap a reading may be wrong
+constexpr Duration answerTime = 15us;  ///< replies are sent from the receive interrupt
+constexpr std::size_t mailboxes = 3;   ///< further replies are dropped
 
 template <std::size_t N> int placeOf(const std::array<int, N> &codes, int code)
 {
@@ -32,7 +36,7 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
     , m_loops(clock, m_shaft, m_notify)
     , m_faults(clock, options.faults)
     , m_supply(clock, [this](bool on) { switched(on); })
-    , m_outbox(link, clock, m_options, m_faults)
+    , m_outbox(link, clock, m_faults)
     , m_received(link.received().add([this](const CanFrame &frame) { hear(frame); }))
 {
     const auto stored = storedGains(options);
@@ -179,14 +183,25 @@ void Unit::onLogRequest(const CanFrame &frame)
     if (log == absent)
         return;
     switch (static_cast<Log>(log)) {
-    case Log::Position: m_outbox.reply(Log::Position, positionLog()); break;
-    case Log::Velocity: m_outbox.reply(Log::Velocity, m_loops.velocity()); break;
-    case Log::Current: m_outbox.reply(Log::Current, m_loops.current()); break;
+    case Log::Position: reply(Log::Position, positionLog()); break;
+    case Log::Velocity: reply(Log::Velocity, m_loops.velocity()); break;
+    case Log::Current: reply(Log::Current, m_loops.current()); break;
     case Log::Temperature:
-        m_outbox.reply(Log::Temperature, std::min(m_loops.temperature() + m_options.temperatureOffset, adcMost));
+        reply(Log::Temperature, std::min(m_loops.temperature() + m_options.temperatureOffset, adcMost));
         break;
-    case Log::Voltage: m_outbox.reply(Log::Voltage, static_cast<std::int32_t>(m_loops.output())); break;
+    case Log::Voltage: reply(Log::Voltage, static_cast<std::int32_t>(m_loops.output())); break;
     }
+}
+
+void Unit::reply(Log log, std::int32_t value)
+{
+    if (m_outbox.waiting() >= mailboxes)
+        return;
+    std::array<std::uint8_t, 4> data{};
+    writeU32le(data, 0, static_cast<std::uint32_t>(value));
+    const int base = m_dialect.reply.at(static_cast<std::size_t>(log));
+    const bool shifted = log != Log::Voltage || m_dialect.voltageOffset;
+    m_outbox.post(standardFrame(static_cast<std::uint32_t>(base + (shifted ? m_options.offset : 0)), data), answerTime);
 }
 
 /// README.md#position: the reading is not atomic with the interrupt of a wrap.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/abstractdc/simulatorloops.h"
-#include "families/abstractdc/simulatoroutbox.h"
+#include "simulation/canoutbox.h"
 #include "simulation/supply.h"
 
 namespace mb::abstractdc::simulation {
@@ -34,6 +34,7 @@ private:
     void onSettings(const CanFrame &frame);
     void onSetPoint(const CanFrame &frame);
     void onLogRequest(const CanFrame &frame);
+    void reply(Log log, std::int32_t value);
     [[nodiscard]] std::int32_t positionLog();
 
     Clock &m_clock;
@@ -45,7 +46,7 @@ private:
     Loops m_loops;
     FaultPlan m_faults;
     Supply m_supply;
-    Outbox m_outbox;
+    CanOutbox m_outbox;
     int m_positionLogs = 0;
     bool m_glitchNext = false;
     Subscription m_received;

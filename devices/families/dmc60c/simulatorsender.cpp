@@ -11,7 +11,7 @@ constexpr Duration longestLate = std::chrono::seconds(1); // whoever slept longe
 
 } // namespace
 
-StatusSender::StatusSender(Clock &clock, Drive &drive, const ConfigMemory &memory, Outbox &outbox,
+StatusSender::StatusSender(Clock &clock, Drive &drive, const ConfigMemory &memory, CanOutbox &outbox,
     std::mt19937_64 &random, std::function<bool()> mayTell)
     : m_clock(clock)
     , m_drive(drive)

@@ -3,7 +3,7 @@
 
 #include "families/dmc60c/simulatorcontrol.h"
 #include "families/dmc60c/simulatormemory.h"
-#include "families/dmc60c/simulatoroutbox.h"
+#include "simulation/canoutbox.h"
 
 #include <random>
 
@@ -13,7 +13,7 @@ namespace mb::dmc60c::simulation {
 class StatusSender {
 public:
     /// `mayTell`: the application runs and has a session. All outlive it.
-    StatusSender(Clock &clock, Drive &drive, const ConfigMemory &memory, Outbox &outbox, std::mt19937_64 &random,
+    StatusSender(Clock &clock, Drive &drive, const ConfigMemory &memory, CanOutbox &outbox, std::mt19937_64 &random,
         std::function<bool()> mayTell);
 
     /// Each begins anywhere in its period.
@@ -31,7 +31,7 @@ private:
     Clock &m_clock;
     Drive &m_drive;
     const ConfigMemory &m_memory;
-    Outbox &m_outbox;
+    CanOutbox &m_outbox;
     std::mt19937_64 &m_random;
     std::function<bool()> m_mayTell;
     Timer m_general;

@@ -77,7 +77,7 @@ private:
     Drive m_drive;
     VendorPort m_vendor;
     FaultPlan m_faults;
-    Outbox m_outbox;
+    CanOutbox m_outbox;
     StatusSender m_status;
     ParameterPort m_parameters;
     Enumeration m_enumeration;

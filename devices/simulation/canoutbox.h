@@ -6,19 +6,21 @@
 
 #include <map>
 
-namespace mb::dmc60c::simulation {
+namespace mb {
 
-/// The device's transmit side: replies after a delay and in order, status frames at once, and the faults that strike
+/// The transmit side of a simulated unit: replies after a delay and in order, status frames at once, and the faults that strike
 /// the N-th frame sent.
-class Outbox {
+class CanOutbox {
 public:
     /// All outlive it.
-    Outbox(CanLink &link, Clock &clock, FaultPlan &faults);
+    CanOutbox(CanLink &link, Clock &clock, FaultPlan &faults);
 
     /// Not before `delay` has passed, nor before what was posted earlier.
     void post(const CanFrame &frame, Duration delay);
     void send(const CanFrame &frame);
-    /// What was not sent yet never will be.
+    /// Replies that were not sent yet, with what waits in the link.
+    [[nodiscard]] std::size_t waiting() const { return m_waiting.size() + m_link.backlog(); }
+    /// What was not sent yet never will be, not even what a fault has delayed.
     void clear();
 
 private:
@@ -34,4 +36,4 @@ private:
     Timer m_timer;
 };
 
-} // namespace mb::dmc60c::simulation
+} // namespace mb

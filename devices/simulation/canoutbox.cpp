@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "families/dmc60c/simulatoroutbox.h"
+#include "simulation/canoutbox.h"
 
 #include <algorithm>
 
-namespace mb::dmc60c::simulation {
+namespace mb {
 
-Outbox::Outbox(CanLink &link, Clock &clock, FaultPlan &faults)
+CanOutbox::CanOutbox(CanLink &link, Clock &clock, FaultPlan &faults)
     : m_link(link)
     , m_clock(clock)
     , m_faults(faults)
@@ -13,21 +13,21 @@ Outbox::Outbox(CanLink &link, Clock &clock, FaultPlan &faults)
 {
 }
 
-void Outbox::post(const CanFrame &frame, Duration delay)
+void CanOutbox::post(const CanFrame &frame, Duration delay)
 {
     m_lastDue = std::max(m_clock.now() + delay, m_lastDue);
     m_waiting.emplace(m_lastDue, frame);
     rearm();
 }
 
-void Outbox::clear()
+void CanOutbox::clear()
 {
     m_waiting.clear();
     m_delayed.clear();
     m_timer.stop();
 }
 
-void Outbox::send(const CanFrame &frame)
+void CanOutbox::send(const CanFrame &frame)
 {
     const FrameFate fate = m_faults.sent();
     if (fate.lost)
@@ -43,7 +43,7 @@ void Outbox::send(const CanFrame &frame)
     (void)m_link.send(sent); // a lost link is noticed by its state
 }
 
-void Outbox::rearm()
+void CanOutbox::rearm()
 {
     if (m_waiting.empty() && m_delayed.empty()) {
         m_timer.stop();
@@ -54,7 +54,7 @@ void Outbox::rearm()
     m_timer.start(std::min(first, second), [this] { flush(); });
 }
 
-void Outbox::flush()
+void CanOutbox::flush()
 {
     const Instant now = m_clock.now();
     while (!m_delayed.empty() && m_delayed.begin()->first <= now)
@@ -64,4 +64,4 @@ void Outbox::flush()
     rearm();
 }
 
-} // namespace mb::dmc60c::simulation
+} // namespace mb
