@@ -66,7 +66,6 @@ QueueBoard::QueueBoard(Workbench &workbench, Selection &selection, std::span<con
     column->addWidget(m_head = new QueueHead(theme, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_checks = new QueueChecks(theme, this));
-    column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_banner = new Banner(theme, BannerKind::Caution, {}, {}, this));
     buildBody();
     buildFoot();

@@ -6,12 +6,20 @@
 #include "widgets/common/numberformat.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace mb {
 
+void setSupply(CheckRow &checks, int place, std::optional<double> volts, bool enough)
+{
+    checks.set(place,
+        !volts       ? GlyphState::Assumed
+            : enough ? GlyphState::Done
+                     : GlyphState::Warning,
+        volts ? QueueChecks::tr("bus %1 V").arg(formatNumber(*volts, 1)) : QueueChecks::tr("bus voltage not known"));
+}
+
 QueueChecks::QueueChecks(const ThemeSource &theme, QWidget *parent)
-    : UpdateChecks(theme, Checks, parent)
+    : CheckRow(theme, tr("Before start"), Checks, parent)
 {
 }
 
@@ -37,11 +45,7 @@ void QueueChecks::follow(const Snapshot &snapshot, const std::vector<DeviceId> &
     set(AllStand, stands, stands ? tr("all motors stopped") : tr("a motor is moving"));
     set(AllAlone, alone ? GlyphState::Done : GlyphState::Warning,
         alone ? tr("no other master") : tr("another master, or a number taken twice"));
-    set(AllSupplied,
-        !lowest      ? GlyphState::Assumed
-            : strong ? GlyphState::Done
-                     : GlyphState::Warning,
-        lowest ? tr("bus %1 V").arg(formatNumber(*lowest, 1)) : tr("bus voltage not known"));
+    setSupply(*this, AllSupplied, lowest, strong);
 }
 
 } // namespace mb

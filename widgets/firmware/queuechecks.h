@@ -2,12 +2,17 @@
 #pragma once
 
 #include "model/snapshot.h"
-#include "widgets/firmware/updatechecks.h"
+#include "widgets/common/checkrow.h"
+
+#include <optional>
 
 namespace mb {
 
+/// A supply of less than a unit wants is warned of, no more; not every family tells it.
+void setSupply(CheckRow &checks, int place, std::optional<double> volts, bool enough);
+
 /// What must hold before a queue; of each unit its own preflight looks again. GUI thread.
-class QueueChecks : public UpdateChecks {
+class QueueChecks : public CheckRow {
     Q_OBJECT
 public:
     enum Check { RecipeFits, AllStand, AllAlone, AllSupplied, Checks };

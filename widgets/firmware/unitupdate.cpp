@@ -11,9 +11,9 @@
 #include "widgets/common/updates.h"
 #include "widgets/common/wraplayout.h"
 #include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/queuechecks.h"
 #include "widgets/firmware/routepanel.h"
 #include "widgets/firmware/stepspanel.h"
-#include "widgets/firmware/updatechecks.h"
 #include "widgets/firmware/updatelog.h"
 #include "widgets/firmware/updateside.h"
 
@@ -93,8 +93,7 @@ UnitUpdate::UnitUpdate(Workbench &workbench, Selection &selection, const ThemeSo
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     buildImage(*column);
     column->addWidget(m_route = new RoutePanel(theme, this));
-    column->addWidget(m_checks = new UpdateChecks(theme, Checks, this));
-    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_checks = new CheckRow(theme, tr("Before start"), Checks, this));
     buildProgress(*column);
     buildBody(*column);
     connect(m_route, &RoutePanel::changed, this, &UnitUpdate::follow);
@@ -187,7 +186,7 @@ void UnitUpdate::resizeEvent(QResizeEvent *event)
     if ((column->indexOf(orders) == 0) == first)
         return;
     column->removeWidget(orders);
-    column->insertWidget(first ? 0 : column->indexOf(m_checks) + 2, orders); // behind its line
+    column->insertWidget(first ? 0 : column->indexOf(m_checks) + 1, orders);
 }
 
 void UnitUpdate::buildBody(QVBoxLayout &column)
@@ -307,7 +306,7 @@ void UnitUpdate::follow()
     const OperationView *operation = shownOperation(device);
     followDevice(device);
     followRoute(device, operation);
-    followChecks(device, operation);
+    followChecks(device);
     followOrders(device, operation);
     followProgress(operation);
     followLog(operation);
@@ -327,7 +326,7 @@ void UnitUpdate::followDevice(const DeviceView *device)
                                            : tr("%1 → %2").arg(now, m_image.version()));
 }
 
-void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
+void UnitUpdate::followChecks(const DeviceView *device)
 {
     const bool image = m_image.summary().has_value();
     m_checks->set(ImageCheck, image, image ? tr("image fits this family") : tr("no usable image"));
@@ -342,12 +341,7 @@ void UnitUpdate::followChecks(const DeviceView *device, const OperationView *)
             : device ? tr("another master, or a number taken twice")
                      : tr("no device"));
     const auto supply = device ? liveValue(*device, "bus_voltage", m_workbench.now()) : std::nullopt;
-    const bool strong = !supply || *supply >= device->family->capabilities.lowestSupply;
-    m_checks->set(SupplyCheck,
-        !supply      ? GlyphState::Assumed
-            : strong ? GlyphState::Done
-                     : GlyphState::Warning,
-        supply ? tr("bus %1 V").arg(formatNumber(*supply, 1)) : tr("bus voltage not known"));
+    setSupply(*m_checks, SupplyCheck, supply, supply && *supply >= device->family->capabilities.lowestSupply);
 }
 
 void UnitUpdate::followOrders(const DeviceView *device, const OperationView *operation)

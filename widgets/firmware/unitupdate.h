@@ -12,10 +12,10 @@ class QVBoxLayout;
 
 namespace mb {
 
+class CheckRow;
 class CommandButton;
 class RoutePanel;
 class ThemeSource;
-class UpdateChecks;
 class UpdateLog;
 class UpdateSide;
 
@@ -44,7 +44,7 @@ private:
     void inspectImage();
     void follow();
     void followDevice(const DeviceView *device);
-    void followChecks(const DeviceView *device, const OperationView *operation);
+    void followChecks(const DeviceView *device);
     void followOrders(const DeviceView *device, const OperationView *operation);
     void followProgress(const OperationView *operation);
     void followLog(const OperationView *operation);
@@ -65,7 +65,7 @@ private:
     QLabel *m_imageDetail = nullptr;
     QLabel *m_deviceName = nullptr;
     QLabel *m_versions = nullptr;
-    UpdateChecks *m_checks = nullptr;
+    CheckRow *m_checks = nullptr;
     RoutePanel *m_route = nullptr;
     CommandButton *m_start = nullptr;
     CommandButton *m_cancel = nullptr;

@@ -89,7 +89,7 @@ void ProductionPage::connectHead()
 void ProductionPage::followBench()
 {
     m_head->follow(m_workbench.snapshot());
-    m_checks->show(checksOf(m_workbench.snapshot(), m_workbench.journal(), m_head->link().toStdString()));
+    m_checks->follow(m_workbench.snapshot(), m_workbench.journal(), m_head->link().toStdString());
 }
 
 /// Whoever arms looks at this window: what the hand began elsewhere is no order.

@@ -1,54 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/glyphshapes.h"
-#include "widgets/common/theme.h"
-
-#include <QWidget>
+#include "widgets/common/checkrow.h"
 
 #include <string>
-#include <vector>
-
-class QLabel;
 
 namespace mb {
 
-class StateGlyph;
-class WrapLayout;
 struct JournalState;
 struct Snapshot;
 
-/// Something that must hold before a unit is served.
-struct UnitCheck {
-    GlyphState glyph = GlyphState::Done;
-    QString words;
-    friend bool operator==(const UnitCheck &, const UnitCheck &) = default;
-};
-
-/// What the window knows of the link that units are put on, of what is on it, and of the journal.
-[[nodiscard]] std::vector<UnitCheck> checksOf(
-    const Snapshot &shot, const JournalState &journal, const std::string &link);
-
-/// Such checks in a row, each with its shape. GUI thread.
-class UnitChecks : public QWidget {
+/// What must hold before a unit is served. GUI thread.
+class UnitChecks : public CheckRow {
     Q_OBJECT
 public:
+    enum Check { LinkOpen, UnitAnswers, NothingTurns, JournalTakes, Checks };
+
     explicit UnitChecks(const ThemeSource &theme, QWidget *parent);
-    void show(const std::vector<UnitCheck> &checks);
-    [[nodiscard]] QString text() const;
-
-private:
-    struct Item {
-        QWidget *box = nullptr;
-        StateGlyph *glyph = nullptr;
-        QLabel *words = nullptr;
-    };
-    void add();
-
-    const ThemeSource &m_theme;
-    WrapLayout *m_row = nullptr;
-    std::vector<UnitCheck> m_checks;
-    std::vector<Item> m_items;
+    /// What the window knows of the link that units are put on, of what is on it, and of the journal.
+    void follow(const Snapshot &shot, const JournalState &journal, const std::string &link);
 };
 
 } // namespace mb
