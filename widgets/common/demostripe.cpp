@@ -11,10 +11,7 @@ DemoStripe::DemoStripe(const ThemeSource &theme, QWidget *parent)
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     setSources(tr("simulated bench"), {});
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 void DemoStripe::setSources(const QString &simulated, const QStringList &recordings)

@@ -16,10 +16,7 @@ Lamp::Lamp(const ThemeSource &theme, QWidget *parent)
     setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     updateAccessibleText(LampState::Safe);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
     connect(this, &QAbstractButton::clicked, this, [this] { m_hold.isUnderWay() ? endHold(false) : press(); });
 }
 

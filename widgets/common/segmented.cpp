@@ -235,10 +235,7 @@ PageTabs::PageTabs(const ThemeSource &theme, QWidget *parent)
     setAttribute(Qt::WA_Hover);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 void PageTabs::setUnavailable(int index, const QString &reason)

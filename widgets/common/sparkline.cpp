@@ -21,10 +21,7 @@ Sparkline::Sparkline(const ThemeSource &theme, TraceRole role, QWidget *parent)
     , m_role(role)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 void Sparkline::setCapacity(int points)

@@ -97,10 +97,7 @@ StateGlyph::StateGlyph(const ThemeSource &theme, GlyphState state, QWidget *pare
 {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAccessibleName(glyphWord(state));
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 void StateGlyph::setState(GlyphState state)

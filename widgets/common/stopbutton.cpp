@@ -16,10 +16,7 @@ StopButton::StopButton(const ThemeSource &theme, QWidget *parent)
     setText(tr("STOP"));
     setAccessibleName(tr("Stop every motor"));
     setToolTip(tr("Stop every motor  Space, Esc, Pause"));
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
     // Only assistive and programmatic presses come this way: the mouse is served below.
     connect(this, &QAbstractButton::pressed, this, &StopButton::stopPressed);
 }

@@ -3,6 +3,7 @@
 
 #include <QFontDatabase>
 #include <QFontInfo>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -176,6 +177,14 @@ void ThemeSource::setTheme(const Theme &theme)
         return;
     m_theme = theme;
     Q_EMIT changed();
+}
+
+void followTheme(const ThemeSource &theme, QWidget &widget)
+{
+    QObject::connect(&theme, &ThemeSource::changed, &widget, [&widget] {
+        widget.updateGeometry();
+        widget.update();
+    });
 }
 
 } // namespace mb

@@ -7,6 +7,8 @@
 #include <QString>
 #include <array>
 
+class QWidget;
+
 namespace mb {
 
 /// What a colour of text or of a shape says. Red, amber and green mean state, never decoration.
@@ -64,5 +66,8 @@ Q_SIGNALS:
 private:
     Theme m_theme;
 };
+
+/// For one that is painted by hand: with another theme it is of another size, and painted again.
+void followTheme(const ThemeSource &theme, QWidget &widget);
 
 } // namespace mb

@@ -27,10 +27,7 @@ ValueLabel::ValueLabel(
     setSizePolicy(look == Look::Row ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
     setSpoken(*this, m_caption, m_value + QLatin1Char(' ') + m_unit);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 void ValueLabel::setWidest(const QString &widest)

@@ -23,10 +23,7 @@ ResolutionMeter::ResolutionMeter(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
     setSteps(0);
 }
 

@@ -52,10 +52,7 @@ TuneSteps::TuneSteps(const ThemeSource &theme, QWidget *parent)
 {
     setObjectName(QStringLiteral("tuneSteps"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
     tell();
 }
 

@@ -20,10 +20,7 @@ BusLoadView::BusLoadView(const ThemeSource &theme, QWidget *parent)
 {
     setAccessibleName(tr("Bus load of the last minute"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&theme, &ThemeSource::changed, this, [this] {
-        updateGeometry();
-        update();
-    });
+    followTheme(theme, *this);
 }
 
 QSize BusLoadView::sizeHint() const
