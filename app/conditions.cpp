@@ -3,11 +3,10 @@
 
 #include "experiment/owedgains.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/motionwords.h"
-
-#include <QPointer>
 
 #include <utility>
 
@@ -192,11 +191,8 @@ void Conditions::act(const QString &key)
         return;
     }
     m_failures.erase(device);
-    m_workbench.send(
-        orders::RewriteSettings{device}, [self = QPointer<Conditions>(this), device](const Result<void> &result) {
-            if (self)
-                self->written(device, result);
-        });
+    m_workbench.send(orders::RewriteSettings{device},
+        guarded(this, [this, device](const Result<void> &result) { written(device, result); }));
 }
 
 void Conditions::written(DeviceId device, const Result<void> &result)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sidedocks.h"
 
+#include "widgets/common/guarded.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/inspector.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -56,11 +56,11 @@ void SideDocks::buildDevices()
         keep ? m_settings.addLink(address) : m_settings.removeLink(address);
     });
     connect(m_tree, &DeviceTree::closeLinkRequested, this, [this](const QString &address) {
-        m_workbench.send(orders::CloseLink{address.toStdString()},
-            [self = QPointer<SideDocks>(this), address](const Result<void> &closed) {
-                if (self && closed)
-                    self->forgetLink(address);
-            });
+        m_workbench.send(
+            orders::CloseLink{address.toStdString()}, guarded(this, [this, address](const Result<void> &closed) {
+                if (closed)
+                    forgetLink(address);
+            }));
     });
 }
 

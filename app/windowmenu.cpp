@@ -6,12 +6,12 @@
 #include "app/preferences.h"
 #include "transport/backends/gpiolines.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/plots/sampleswindow.h"
 
 #include <QMenu>
-#include <QPointer>
 
 namespace mb {
 
@@ -102,10 +102,8 @@ void WindowMenu::openFile(const QString &path)
         (new SamplesWindow(path, m_theme, &m_window))->show();
         return;
     }
-    mb::openRecording(m_workbench, path, [self = QPointer<WindowMenu>(this)](const QString &address) {
-        if (self)
-            Q_EMIT self->framesOpened(address);
-    });
+    mb::openRecording(
+        m_workbench, path, guarded(this, [this](const QString &address) { Q_EMIT framesOpened(address); }));
 }
 
 void WindowMenu::openSimulation()

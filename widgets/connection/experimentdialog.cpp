@@ -2,6 +2,7 @@
 #include "widgets/connection/experimentdialog.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/stateglyph.h"
@@ -12,7 +13,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QPointer>
 #include <QProgressBar>
 #include <QVBoxLayout>
 
@@ -150,10 +150,7 @@ void ExperimentDialog::start()
     options.answer = m_answer ? m_answer->currentIndex() : 0;
     m_renewal.keep({m_device});
     m_workbench.send(orders::RunExperiment{m_device, std::string(m_experiment.key), options},
-        [self = QPointer<ExperimentDialog>(this)](const Result<void> &result) {
-            if (self)
-                self->ended(result);
-        });
+        guarded(this, [this](const Result<void> &result) { ended(result); }));
 }
 
 const OperationView *ExperimentDialog::operation() const

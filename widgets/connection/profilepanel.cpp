@@ -2,6 +2,7 @@
 #include "widgets/connection/profilepanel.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
@@ -129,10 +130,7 @@ void ProfilePanel::chosen(const Row &row, int place)
 {
     m_workbench.send(
         orders::Calibrate{m_device, std::string(row.calibration->key), row.choices->itemData(place).toDouble()},
-        [self = QPointer<ProfilePanel>(this)](const Result<void> &result) {
-            if (self)
-                self->say(result);
-        });
+        guarded(this, [this](const Result<void> &result) { say(result); }));
 }
 
 void ProfilePanel::typed(const Row &row)
@@ -151,12 +149,11 @@ void ProfilePanel::typed(const Row &row)
     const QPointer<QLineEdit> field = row.field;
     m_workbench.send(
         orders::Calibrate{m_device, std::string(row.calibration->key), text.isEmpty() ? std::nullopt : number},
-        [self = QPointer<ProfilePanel>(this), field](const Result<void> &result) {
+        guarded(this, [this, field](const Result<void> &result) {
             if (field)
                 setStyleProperty(*field, "state", result ? QString() : QStringLiteral("error"));
-            if (self)
-                self->say(result);
-        });
+            say(result);
+        }));
 }
 
 void ProfilePanel::say(const Result<void> &result)
@@ -168,10 +165,7 @@ void ProfilePanel::say(const Result<void> &result)
 /// What the scan found needs no question; anything else does.
 void ProfilePanel::chooseDialect(int place)
 {
-    const auto finished = [self = QPointer<ProfilePanel>(this)](const Result<void> &result) {
-        if (self)
-            self->say(result);
-    };
+    const auto finished = guarded(this, [this](const Result<void> &result) { say(result); });
     if (place == 0) {
         m_workbench.send(orders::SetDialect{m_device, {}}, finished);
         return;

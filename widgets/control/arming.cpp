@@ -6,6 +6,7 @@
 #include "tuning/autotune.h"
 #include "tuning/frequencyresponse.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/motionwords.h"
 #include "widgets/control/trialwords.h"
@@ -211,10 +212,10 @@ void Arming::run(const SetPoint &setPoint, const Glide &glide)
         return;
     m_setPoint = setPoint;
     const bool begins = m_state != LampState::Moving;
-    const auto finished = [self = QPointer<Arming>(this), begins](const Result<void> &result) {
-        if (self && !result)
-            self->refused(result.error(), begins);
-    };
+    const auto finished = guarded(this, [this, begins](const Result<void> &result) {
+        if (!result)
+            refused(result.error(), begins);
+    });
     if (!begins) {
         m_workbench.send(orders::UpdateMotion{m_device, setPoint, glide}, finished);
         return;

@@ -3,6 +3,7 @@
 
 #include "experiment/envelope.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
@@ -12,7 +13,6 @@
 #include "widgets/plots/curveplot.h"
 
 #include <QHeaderView>
-#include <QPointer>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -147,10 +147,7 @@ void BatteryDialog::next()
             .arg(formatSignificant(m_battery.steps[done].to, 4), m_unit));
     follow();
     m_arming.runTrial(m_battery.steps[done], {},
-        [self = QPointer<BatteryDialog>(this), number = m_arming.armingNumber()](const auto &trial) {
-            if (self)
-                self->ended(trial, number);
-        });
+        guarded(this, [this, number = m_arming.armingNumber()](const auto &trial) { ended(trial, number); }));
 }
 
 void BatteryDialog::ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber)

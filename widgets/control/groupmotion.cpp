@@ -3,6 +3,7 @@
 
 #include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 
 #include <QPointer>
 
@@ -79,12 +80,12 @@ void GroupMotion::command(const Member &member)
     }
     const DeviceView *view = viewOf(member.device);
     const QString name = view ? titleOf(*view) : QString();
-    const auto finished = [self = QPointer<GroupMotion>(this), name](const Result<void> &result) {
-        if (!self || result)
+    const auto finished = guarded(this, [this, name](const Result<void> &result) {
+        if (result)
             return;
-        self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
-        self->m_arming.halt(); // and follow() stops the rest
-    };
+        m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        m_arming.halt(); // and follow() stops the rest
+    });
     if (view && view->motion.running)
         m_workbench.send(orders::UpdateMotion{member.device, member.setPoint}, finished);
     else

@@ -3,10 +3,10 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/control/triallist.h"
 
-#include <QPointer>
 #include <QStandardPaths>
 
 namespace mb {
@@ -17,10 +17,7 @@ TrialOrders::TrialOrders(Workbench &workbench, TrialList &list)
     , m_notebook(workbench.trials())
     , m_list(list)
 {
-    const auto finished = [self = QPointer<TrialOrders>(this)](const Result<void> &result) {
-        if (self)
-            self->failed(result);
-    };
+    const auto finished = guarded(this, [this](const Result<void> &result) { failed(result); });
     connect(&list.model(), &TrialModel::starChosen, this, [this, finished](qint64 number, bool star) {
         m_notebook.setStar(number, star, finished);
         Q_EMIT changed();
@@ -44,12 +41,11 @@ void TrialOrders::failed(const Result<void> &result)
 void TrialOrders::exportAll()
 {
     const auto write = [this, trials = m_list.model().trials()](const QString &path) {
-        m_notebook.exportTo(path, trials, [self = QPointer<TrialOrders>(this), path](const Result<void> &result) {
-            if (self && result)
-                self->m_workbench.report(Severity::Good, {}, TrialOrders::tr("trials written to %1").arg(path));
-            else if (self)
-                self->failed(result);
-        });
+        m_notebook.exportTo(path, trials, guarded(this, [this, path](const Result<void> &result) {
+            failed(result);
+            if (result)
+                m_workbench.report(Severity::Good, {}, tr("trials written to %1").arg(path));
+        }));
     };
     askWhereToSave(m_list, tr("Export trials"), tr("Table (*.csv);;JSON (*.json)"),
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), write);

@@ -3,6 +3,7 @@
 
 #include "experiment/verdict.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/segmented.h"
@@ -13,7 +14,6 @@
 #include "widgets/control/trialorders.h"
 #include "widgets/control/trialshead.h"
 
-#include <QPointer>
 #include <QScrollArea>
 #include <QStackedWidget>
 
@@ -183,14 +183,13 @@ void TrialsView::reload()
 {
     if (m_unit.empty())
         return;
-    m_notebook.list(
-        m_unit, [self = QPointer<TrialsView>(this), unit = m_unit](const Result<std::vector<KeptTrial>> &all) {
-            if (!self || self->m_unit != unit)
-                return;
-            self->m_list->setTrouble(all ? QString() : TrialsView::tr("not kept: %1").arg(errorText(all.error())));
-            if (all)
-                self->listed(*all);
-        });
+    m_notebook.list(m_unit, guarded(this, [this, unit = m_unit](const Result<std::vector<KeptTrial>> &all) {
+        if (m_unit != unit)
+            return;
+        m_list->setTrouble(all ? QString() : tr("not kept: %1").arg(errorText(all.error())));
+        if (all)
+            listed(*all);
+    }));
 }
 
 void TrialsView::listed(const std::vector<KeptTrial> &trials)
@@ -216,15 +215,15 @@ void TrialsView::fetch(std::int64_t number, bool asA)
     const KeptTrial *const kept = m_list->model().find(number);
     if (!kept)
         return;
-    m_notebook.fetch(number,
-        [self = QPointer<TrialsView>(this), found = *kept, asA](const Result<std::vector<tuning::Signal>> &recorded) {
-            if (!self || !recorded || !self->m_list->model().find(found.number))
+    m_notebook.fetch(
+        number, guarded(this, [this, found = *kept, asA](const Result<std::vector<tuning::Signal>> &recorded) {
+            if (!recorded || !m_list->model().find(found.number))
                 return;
             KeptTrial whole = found;
             whole.trial.signals = *recorded;
-            asA ? self->m_pair.setA(std::move(whole)) : self->m_pair.setB(std::move(whole));
-            self->draw();
-        });
+            asA ? m_pair.setA(std::move(whole)) : m_pair.setB(std::move(whole));
+            draw();
+        }));
 }
 
 void TrialsView::pin(std::int64_t number)

@@ -3,13 +3,13 @@
 
 #include "experiment/kepttrial.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainswriterow.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/tunecolumn.h"
 #include "widgets/parameters/axisparameters.h"
 
-#include <QPointer>
 #include <QUndoStack>
 
 #include <algorithm>
@@ -90,15 +90,14 @@ void TuneGains::write(std::function<void()> next)
     const std::vector<ParameterChange> changes = m_column.gainsPanel().toWrite();
     m_writing = true;
     m_workbench.send(orders::WriteParameters{motor.device, changes},
-        [self = QPointer<TuneGains>(this), motor, changes, next = std::move(next), number = m_arming.armingNumber()](
-            const Result<void> &result) {
-            if (!self)
-                return;
-            self->written(motor, changes, result);
-            if (result && next && self->m_choices.shown() == motor && self->m_arming.isArmed(motor.device)
-                && self->m_arming.armingNumber() == number)
-                next();
-        });
+        guarded(this,
+            [this, motor, changes, next = std::move(next), number = m_arming.armingNumber()](
+                const Result<void> &result) {
+                written(motor, changes, result);
+                if (result && next && m_choices.shown() == motor && m_arming.isArmed(motor.device)
+                    && m_arming.armingNumber() == number)
+                    next();
+            }));
 }
 
 void TuneGains::written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result)
@@ -125,11 +124,11 @@ void TuneGains::undo(bool again)
     }
     if (!view->liveness.heard)
         return;
-    m_workbench.send(orders::UndoWrite{view->id, again},
-        [self = QPointer<TuneGains>(this), name = titleOf(*view)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
-        });
+    m_workbench.send(
+        orders::UndoWrite{view->id, again}, guarded(this, [this, name = titleOf(*view)](const Result<void> &result) {
+            if (!result)
+                m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        }));
 }
 
 void TuneGains::stageTrial(const KeptTrial &kept)

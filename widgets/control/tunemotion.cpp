@@ -2,6 +2,7 @@
 #include "widgets/control/tunemotion.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainunits.h"
@@ -11,7 +12,6 @@
 #include "widgets/control/tunecolumn.h"
 
 #include <QApplication>
-#include <QPointer>
 
 #include <algorithm>
 #include <cmath>
@@ -143,12 +143,11 @@ void TuneMotion::zero()
     const DeviceView *const view = m_choices.device();
     if (!view || view->id != m_choices.shown().device)
         return;
-    m_workbench.send(orders::ZeroPosition{view->id},
-        [self = QPointer<TuneMotion>(this), name = titleOf(*view)](const Result<void> &result) {
-            if (!self || !result) // the engine says what went wrong
-                return;
-            self->m_workbench.report(Severity::Good, name, tr("position 0 is here; the motor is off until Run"));
-        });
+    m_workbench.send(
+        orders::ZeroPosition{view->id}, guarded(this, [this, name = titleOf(*view)](const Result<void> &result) {
+            if (result) // the engine says what went wrong
+                m_workbench.report(Severity::Good, name, tr("position 0 is here; the motor is off until Run"));
+        }));
 }
 
 void TuneMotion::identify()
@@ -160,12 +159,11 @@ void TuneMotion::identify()
         m_workbench.report(Severity::Info, titleOf(*view), tr("it has no lamp that could blink"));
         return;
     }
-    m_workbench.send(orders::Identify{view->id},
-        [self = QPointer<TuneMotion>(this), name = titleOf(*view)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(
-                    Severity::Caution, name, tr("not identified: %1").arg(errorText(result.error())));
-        });
+    m_workbench.send(
+        orders::Identify{view->id}, guarded(this, [this, name = titleOf(*view)](const Result<void> &result) {
+            if (!result)
+                m_workbench.report(Severity::Caution, name, tr("not identified: %1").arg(errorText(result.error())));
+        }));
 }
 
 void TuneMotion::disarmBecause(const QString &what)

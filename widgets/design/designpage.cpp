@@ -5,6 +5,7 @@
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/control/envelopepanel.h"
@@ -20,7 +21,6 @@
 #include "widgets/design/sweeppanel.h"
 #include "widgets/report/reportorder.h"
 
-#include <QPointer>
 #include <QStackedWidget>
 
 #include <utility>
@@ -194,10 +194,8 @@ void DesignPage::run(tuning::TunePlan plan)
     if (!view || !status().mayRun || !m_book.whyNot(*view).isEmpty())
         return;
     plan.limits = m_envelope->entered();
-    m_arming.runTuning(plan, [self = QPointer<DesignPage>(this), where = m_book.place()](const auto &report) {
-        if (self)
-            self->ended(where, report);
-    });
+    m_arming.runTuning(
+        plan, guarded(this, [this, where = m_book.place()](const auto &report) { ended(where, report); }));
     follow();
 }
 

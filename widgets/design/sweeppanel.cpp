@@ -3,13 +3,12 @@
 
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
-
-#include <QPointer>
 
 namespace mb {
 namespace {
@@ -70,10 +69,10 @@ void SweepPanel::measure()
 {
     if (!m_mayRun || !m_plan)
         return;
-    m_arming.runSweep(*m_plan, m_plant, [self = QPointer<SweepPanel>(this), place = m_place](const auto &response) {
-        if (self && response && response->stopReason.empty()) // else it is a part of one
-            Q_EMIT self->measured(place, *response);
-    });
+    m_arming.runSweep(*m_plan, m_plant, guarded(this, [this, place = m_place](const auto &response) {
+        if (response && response->stopReason.empty()) // else it is a part of one
+            Q_EMIT measured(place, *response);
+    }));
 }
 
 QString SweepPanel::announcement() const

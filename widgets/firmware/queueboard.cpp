@@ -5,6 +5,7 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/turningsplitter.h"
@@ -19,7 +20,6 @@
 #include "widgets/service/recipeeditor.h"
 #include "widgets/service/verdictof.h"
 
-#include <QPointer>
 #include <QSplitter>
 
 #include <algorithm>
@@ -135,10 +135,10 @@ void QueueBoard::buildFoot()
 
 void QueueBoard::connectAll()
 {
-    const auto tried = [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
-        if (self && !result)
-            self->m_workbench.report(Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
-    };
+    const auto tried = guarded(this, [this](const Result<void> &result) {
+        if (!result)
+            m_workbench.report(Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
+    });
     connect(m_head, &QueueHead::imageChosen, this, &QueueBoard::openImage);
     connect(m_head, &QueueHead::recipeChosen, this, &QueueBoard::openRecipe);
     connect(m_head, &QueueHead::editWanted, this, &QueueBoard::edit);
@@ -239,12 +239,10 @@ void QueueBoard::lookForCut()
 {
     if (!m_recipe.matter())
         return;
-    m_workbench.visits().findCut(*m_recipe.matter(), [self = QPointer<QueueBoard>(this)](const Result<CutRun> &cut) {
-        if (!self)
-            return;
-        self->m_cut = cut ? *cut : CutRun{};
-        self->follow();
-    });
+    m_workbench.visits().findCut(*m_recipe.matter(), guarded(this, [this](const Result<CutRun> &cut) {
+        m_cut = cut ? *cut : CutRun{};
+        follow();
+    }));
 }
 
 /// Why nothing can be started, in words; empty when it can.
@@ -286,10 +284,10 @@ void QueueBoard::begin(std::vector<DeviceId> chosen, const std::string &run)
     std::vector<std::string> links
         = run.empty() ? linksOf(shot, m_recipe.family(), chosen) : openLinks(shot, *m_recipe.family(), m_cut.simulated);
     m_workbench.send(orders::ServeUnits{m_recipe.matter(), std::move(links), std::nullopt, std::move(chosen), run},
-        [self = QPointer<QueueBoard>(this)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
-        });
+        guarded(this, [this](const Result<void> &result) {
+            if (!result)
+                m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        }));
 }
 
 void QueueBoard::askSave()
@@ -305,12 +303,10 @@ void QueueBoard::save(const QString &path)
         if (!row.visit.id.empty())
             visits.push_back(row.visit);
     }
-    m_workbench.visits().exportTo(
-        path, std::move(visits), [self = QPointer<QueueBoard>(this), path](const Result<void> &result) {
-            if (self)
-                self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
-                    result ? tr("the units are in %1").arg(path) : errorText(result.error()));
-        });
+    m_workbench.visits().exportTo(path, std::move(visits), guarded(this, [this, path](const Result<void> &result) {
+        m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+            result ? tr("the units are in %1").arg(path) : errorText(result.error()));
+    }));
 }
 
 void QueueBoard::showEvent(QShowEvent *event)

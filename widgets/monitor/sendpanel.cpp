@@ -2,6 +2,7 @@
 #include "widgets/monitor/sendpanel.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
@@ -13,7 +14,6 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QPointer>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -154,11 +154,8 @@ void SendPanel::send()
     if (m_waiting >= mostWaiting)
         return endRepeat(tr("The link does not take frames as fast as they are sent"));
     ++m_waiting;
-    const QPointer<SendPanel> self(this);
-    m_workbench.send(orders::SendFrame{m_link, *m_typed.frame}, [self](const Result<void> &result) {
-        if (self)
-            self->sent(result);
-    });
+    m_workbench.send(
+        orders::SendFrame{m_link, *m_typed.frame}, guarded(this, [this](const Result<void> &result) { sent(result); }));
 }
 
 void SendPanel::sent(const Result<void> &result)

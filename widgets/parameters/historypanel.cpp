@@ -2,6 +2,7 @@
 #include "widgets/parameters/historypanel.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -17,7 +18,6 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPainter>
-#include <QPointer>
 
 #include <algorithm>
 #include <utility>
@@ -194,11 +194,10 @@ void HistoryPanel::reload()
 {
     if (!m_states.family())
         return;
-    m_workbench.settings().list(
-        m_unit, [panel = QPointer<HistoryPanel>(this), unit = m_unit](const Result<SettingsTimeline> &timeline) {
-            if (panel && panel->m_unit == unit && timeline)
-                panel->take(*timeline);
-        });
+    m_workbench.settings().list(m_unit, guarded(this, [this, unit = m_unit](const Result<SettingsTimeline> &timeline) {
+        if (m_unit == unit && timeline)
+            take(*timeline);
+    }));
 }
 
 void HistoryPanel::take(const SettingsTimeline &timeline)
@@ -206,13 +205,13 @@ void HistoryPanel::take(const SettingsTimeline &timeline)
     m_states.setTimeline(timeline);
     rebuild();
     for (const std::int64_t number : m_states.missing())
-        m_workbench.settings().fetch(number,
-            [panel = QPointer<HistoryPanel>(this), unit = m_unit](const Result<settings::ParameterSnapshot> &snapshot) {
-                if (!panel || !snapshot || snapshot->unit != unit || panel->m_unit != unit)
+        m_workbench.settings().fetch(
+            number, guarded(this, [this, unit = m_unit](const Result<settings::ParameterSnapshot> &snapshot) {
+                if (!snapshot || snapshot->unit != unit || m_unit != unit)
                     return;
-                panel->m_states.addFile(*snapshot);
-                panel->rebuild();
-            });
+                m_states.addFile(*snapshot);
+                rebuild();
+            }));
 }
 
 /// States that are known by now, in the choices and on the time line.

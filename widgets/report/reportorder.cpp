@@ -5,6 +5,7 @@
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/report/reportpdf.h"
 
@@ -72,15 +73,12 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
     ReportWish matter = wish;
     if (matter.trials.empty())
         matter.unit = subject.unit;
-    m_workbench.trials().gather(matter,
-        [self = QPointer<ReportOrder>(this), subject, made = std::move(made)](Result<std::vector<ReportUnit>> units) {
-            if (!self)
-                return;
+    m_workbench.trials().gather(
+        matter, guarded(this, [this, subject, made = std::move(made)](Result<std::vector<ReportUnit>> units) {
             if (!units)
                 return made(fail(units.error()));
             Report report;
-            report.time = std::chrono::duration<double>(
-                self->m_workbench.now().time_since_epoch() + self->m_workbench.unixOffset())
+            report.time = std::chrono::duration<double>(m_workbench.now().time_since_epoch() + m_workbench.unixOffset())
                               .count();
             report.program
                 = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
@@ -93,7 +91,7 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
                 report.units.push_back(std::move(found));
             }
             made(std::move(report));
-        });
+        }));
 }
 
 Result<void> ReportOrder::save(const Report &report, const QString &path) const

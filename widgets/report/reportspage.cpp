@@ -5,6 +5,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
@@ -23,7 +24,6 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QPointer>
 #include <QStackedWidget>
 #include <QTextBrowser>
 
@@ -201,22 +201,19 @@ void ReportsPage::askJournal()
 {
     if (!isVisible())
         return;
-    m_workbench.visits().list(
-        {}, [self = QPointer<ReportsPage>(this)](const Result<std::vector<service::Visit>> &visits) {
-            if (!self)
-                return;
-            if (!visits)
-                return self->m_workbench.report(Severity::Danger, {}, errorText(visits.error()));
-            self->m_journal.clear();
-            for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
-                if (static_cast<int>(self->m_journal.size()) == newestEntries)
-                    break;
-                const auto family = std::ranges::find_if(
-                    self->m_families, [visit](const Family *each) { return each->key == visit->family; });
-                self->m_journal.push_back(entryOf(*visit, family == self->m_families.end() ? nullptr : *family));
-            }
-            self->fill();
-        });
+    m_workbench.visits().list({}, guarded(this, [this](const Result<std::vector<service::Visit>> &visits) {
+        if (!visits)
+            return m_workbench.report(Severity::Danger, {}, errorText(visits.error()));
+        m_journal.clear();
+        for (auto visit = visits->rbegin(); visit != visits->rend(); ++visit) {
+            if (static_cast<int>(m_journal.size()) == newestEntries)
+                break;
+            const auto family
+                = std::ranges::find_if(m_families, [visit](const Family *each) { return each->key == visit->family; });
+            m_journal.push_back(entryOf(*visit, family == m_families.end() ? nullptr : *family));
+        }
+        fill();
+    }));
 }
 
 /// Once for the units that are here.
@@ -239,20 +236,19 @@ void ReportsPage::follow()
         ReportWish wish;
         wish.unit = card.unit.unit;
         m_entries.push_back(card);
-        m_workbench.trials().gather(wish,
-            [self = QPointer<ReportsPage>(this), here = card.unit, asked, told](
-                const Result<std::vector<ReportUnit>> &units) {
-                if (!self || self->m_asked != asked)
+        m_workbench.trials().gather(
+            wish, guarded(this, [this, here = card.unit, asked, told](const Result<std::vector<ReportUnit>> &units) {
+                if (m_asked != asked)
                     return;
                 if (!units) {
                     if (!std::exchange(*told, true))
-                        self->m_workbench.report(Severity::Danger, {}, errorText(units.error()));
+                        m_workbench.report(Severity::Danger, {}, errorText(units.error()));
                     return;
                 }
                 for (const ReportUnit &unit : *units)
-                    self->take(here, unit);
-                self->fill();
-            });
+                    take(here, unit);
+                fill();
+            }));
     }
     fill();
 }
@@ -351,17 +347,17 @@ void ReportsPage::preview()
 
 void ReportsPage::lookAt(const ReportEntry &entry, int asked)
 {
-    m_order->make(unitOf(entry, m_workbench.snapshot()), entry.wish,
-        [self = QPointer<ReportsPage>(this), asked](const Result<Report> &report) {
-            if (!self || self->m_shown != asked)
+    m_order->make(
+        unitOf(entry, m_workbench.snapshot()), entry.wish, guarded(this, [this, asked](const Result<Report> &report) {
+            if (m_shown != asked)
                 return;
             if (!report)
-                return self->m_text->setPlainText(errorText(report.error()));
-            auto *drawings = new ReportDrawings(self->m_text);
-            self->m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
-            self->m_text->setHtml(drawings->takeFrom(htmlOf(*report, self->m_order->form())));
-            delete std::exchange(self->m_drawings, drawings);
-        });
+                return m_text->setPlainText(errorText(report.error()));
+            auto *drawings = new ReportDrawings(m_text);
+            m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
+            m_text->setHtml(drawings->takeFrom(htmlOf(*report, m_order->form())));
+            delete std::exchange(m_drawings, drawings);
+        }));
 }
 
 /// The note is on what is chosen. What was begun on another entry is kept there; what is being typed on this one stays.
@@ -403,16 +399,13 @@ void ReportsPage::noteEdited()
 /// `before`: what the journal has where it does not take it.
 void ReportsPage::keepNote(const std::string &visit, const QString &note, const QString &before)
 {
-    m_workbench.visits().setNote(
-        visit, note, [self = QPointer<ReportsPage>(this), visit, before](const Result<void> &result) {
-            if (!self)
-                return;
-            if (!result)
-                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
-            if (!result && self->m_noted.of == visit)
-                self->m_noted.kept = before; // still to be kept
-            self->askJournal();
-        });
+    m_workbench.visits().setNote(visit, note, guarded(this, [this, visit, before](const Result<void> &result) {
+        if (!result)
+            m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+        if (!result && m_noted.of == visit)
+            m_noted.kept = before; // still to be kept
+        askJournal();
+    }));
 }
 
 void ReportsPage::exportChosen()
@@ -440,12 +433,10 @@ void ReportsPage::saveTable(const QString &path)
         if (isShown(*entry))
             visits.push_back(entry->visit);
     }
-    m_workbench.visits().exportTo(
-        path, std::move(visits), [self = QPointer<ReportsPage>(this), path](const Result<void> &result) {
-            if (self)
-                self->m_workbench.report(result ? Severity::Good : Severity::Danger, {},
-                    result ? tr("the journal is in %1").arg(path) : errorText(result.error()));
-        });
+    m_workbench.visits().exportTo(path, std::move(visits), guarded(this, [this, path](const Result<void> &result) {
+        m_workbench.report(result ? Severity::Good : Severity::Danger, {},
+            result ? tr("the journal is in %1").arg(path) : errorText(result.error()));
+    }));
 }
 
 } // namespace mb

@@ -5,6 +5,7 @@
 #include "model/leaserenewal.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/holdbutton.h"
 #include "widgets/common/keystrip.h"
 #include "widgets/common/labels.h"
@@ -22,7 +23,6 @@
 #include <QFile>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QPointer>
 
 #include <algorithm>
 
@@ -192,10 +192,7 @@ void ProductionPage::startOrEnd()
     if (!m_workbench.service().running)
         return start();
     m_isOrdered = true;
-    m_workbench.send(orders::FinishService{}, [self = QPointer<ProductionPage>(this)](const Result<void> &) {
-        if (self)
-            self->m_isOrdered = false;
-    });
+    m_workbench.send(orders::FinishService{}, guarded(this, [this](const Result<void> &) { m_isOrdered = false; }));
 }
 
 void ProductionPage::start()
@@ -208,24 +205,19 @@ void ProductionPage::start()
     }
     m_setAside.clear();
     m_isOrdered = true;
-    m_workbench.send(
-        orders::ServeUnits{m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
-            if (!self)
-                return;
-            self->m_isOrdered = false;
-            if (!result)
-                self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
-        });
+    m_workbench.send(orders::ServeUnits{m_matter, {link}, 0}, guarded(this, [this](const Result<void> &result) {
+        m_isOrdered = false;
+        if (!result)
+            m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+    }));
 }
 
 void ProductionPage::retry(const service::QueueRow &row)
 {
-    m_workbench.send(orders::RetryUnit{row.id},
-        [self = QPointer<ProductionPage>(this), name = nameOf(row)](const Result<void> &result) {
-            if (self && !result)
-                self->m_workbench.report(
-                    Severity::Caution, name, tr("not tested again: %1").arg(errorText(result.error())));
-        });
+    m_workbench.send(orders::RetryUnit{row.id}, guarded(this, [this, name = nameOf(row)](const Result<void> &result) {
+        if (!result)
+            m_workbench.report(Severity::Caution, name, tr("not tested again: %1").arg(errorText(result.error())));
+    }));
 }
 
 void ProductionPage::testAgain()

@@ -2,6 +2,7 @@
 #include "widgets/service/stationdialog.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/guarded.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/serviceview.h"
 #include "widgets/common/workbench.h"
@@ -9,7 +10,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLineEdit>
-#include <QPointer>
 #include <QVBoxLayout>
 
 namespace mb {
@@ -61,14 +61,12 @@ void StationDialog::accept()
 {
     m_workbench.send(
         orders::KeepJournal{m_server->text().trimmed().toStdString(), m_station->text().trimmed().toStdString()},
-        [self = QPointer<StationDialog>(this)](const Result<void> &kept) {
-            if (!self)
-                return;
+        guarded(this, [this](const Result<void> &kept) {
             if (kept)
-                return self->QDialog::accept();
-            self->m_mistake->setText(errorText(kept.error()));
-            self->m_mistake->show();
-        });
+                return QDialog::accept();
+            m_mistake->setText(errorText(kept.error()));
+            m_mistake->show();
+        }));
 }
 
 } // namespace mb

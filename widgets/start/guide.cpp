@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/guide.h"
 
+#include "widgets/common/guarded.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/trialnotebook.h"
-
-#include <QPointer>
 
 #include <algorithm>
 #include <cmath>
@@ -169,13 +168,13 @@ void Guide::askNotebook(const DeviceView &device)
         = operation && operation->status.state != OperationStatus::State::Running ? operation->id.value : m_askedAfter;
     const std::string unit = device.unit;
     m_workbench.trials().list(
-        unit, [self = QPointer<Guide>(this), run = m_run, after](const Result<std::vector<KeptTrial>> &trials) {
-            if (!self || run != self->m_run)
+        unit, guarded(this, [this, run = m_run, after](const Result<std::vector<KeptTrial>> &trials) {
+            if (run != m_run)
                 return;
-            self->m_asked = false;
-            self->m_askedAfter = after;
-            self->take(trials.value_or(std::vector<KeptTrial>{}));
-        });
+            m_asked = false;
+            m_askedAfter = after;
+            take(trials.value_or(std::vector<KeptTrial>{}));
+        }));
 }
 
 /// Of the way that it went: a step that is much shorter than the first proves nothing.
