@@ -4,6 +4,7 @@
 #include "app/console/samplestream.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "experiment/direction.h"
 #include "model/leaserenewal.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration stopLimit = 1s;
-constexpr Duration stopAgain = 100ms;
 constexpr Duration haltLimit = 2s;
 
 /// From where the motor is: what it was told last in this mode is not known, and it stands.
@@ -48,23 +48,6 @@ struct Outcome {
     }
     [[nodiscard]] bool isSafety() const { return isGuarded() || !stopped || (!released && !interrupted); }
 };
-
-Task<bool> confirmStop(Console &console, Device &device)
-{
-    const Instant limit = console.clock().now() + stopLimit;
-    Instant again = console.clock().now() + stopAgain;
-    while (!device.isSeenStopped()) {
-        const Instant now = console.clock().now();
-        if (now >= limit || device.link().state() != LinkState::Open)
-            co_return false;
-        if (now >= again) { // a frame may have been lost
-            device.stop();
-            again = limit;
-        }
-        co_await Sleep(console.clock(), lookEvery);
-    }
-    co_return true;
-}
 
 /// Keeps the set-point alive from this program's own loop: if that hangs, the stream stops the motor. Ends early when the
 /// stream does, at a signal, and once `done` says so.
@@ -133,7 +116,7 @@ Task<Outcome> move(Console &console, Device &device, DrivePlan plan)
     const bool isOff = plan.setPoint.mode == Mode::Off && stream.end() != SetPointStream::End::LinkLost;
     outcome.end = isOff ? SetPointStream::End::Stopped : stream.end(); // whatever ended it, it was to end
     outcome.why = stream.reason();
-    outcome.stopped = co_await confirmStop(console, device);
+    outcome.stopped = co_await tuning::confirmStop(device, stopLimit);
     co_return outcome;
 }
 

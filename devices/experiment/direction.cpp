@@ -25,7 +25,6 @@ constexpr Duration patience = 300ms; ///< until it has begun to go where it was 
 constexpr double clearMove = 15.0;   ///< counts
 constexpr double leastNudge = 3.0;   ///< counts; friction holds the rest
 constexpr Duration glancePeriod = 5ms;
-constexpr Duration stopLimit = 2s;
 constexpr Duration stopAgain = 100ms;
 constexpr Duration restLimit = 5s;
 constexpr Duration restSpan = 100ms;
@@ -183,10 +182,10 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
 }
 
-Task<bool> confirmStop(Device &device)
+Task<bool> confirmStop(Device &device, Duration longest)
 {
     Clock &clock = device.clock();
-    const Instant limit = clock.now() + stopLimit;
+    const Instant limit = clock.now() + longest;
     Instant again = clock.now() + stopAgain;
     while (!device.isSeenStopped()) {
         if (clock.now() >= limit || device.link().state() != LinkState::Open)

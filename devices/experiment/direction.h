@@ -48,8 +48,8 @@ private:
 [[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
     GuardPlan guards, std::optional<Trip> &trip);
 
-/// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
-[[nodiscard]] Task<bool> confirmStop(Device &device);
+/// Waits until the device is seen stopped, at most so long, telling it again meanwhile; whether it was.
+[[nodiscard]] Task<bool> confirmStop(Device &device, Duration longest = std::chrono::seconds(2));
 /// Waits until this axis, or every one, is told to stand, at most 5 s; whether it does. What is silent is not seen to stand.
 [[nodiscard]] Task<bool> untilAtRest(Device &device, std::optional<int> axis = std::nullopt);
 
