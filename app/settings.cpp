@@ -37,16 +37,6 @@ void Settings::setValue(const QString &key, const QVariant &value)
         m_values[key] = value;
 }
 
-QString Settings::theme() const
-{
-    return value(QStringLiteral("theme")).toString();
-}
-
-void Settings::setTheme(const QString &theme)
-{
-    setValue(QStringLiteral("theme"), theme);
-}
-
 Look Settings::look() const
 {
     Look look;
@@ -69,21 +59,6 @@ void Settings::setLook(const Look &look)
     setValue(QStringLiteral("reduced-motion"), look.reducedMotion);
     setValue(QStringLiteral("revolutions"), look.revolutions);
     setValue(QStringLiteral("sounds"), look.sounds);
-}
-
-QByteArray Settings::geometry() const
-{
-    return value(QStringLiteral("geometry")).toByteArray();
-}
-
-void Settings::setGeometry(const QByteArray &geometry)
-{
-    setValue(QStringLiteral("geometry"), geometry);
-}
-
-QStringList Settings::links() const
-{
-    return value(QStringLiteral("links")).toStringList();
 }
 
 void Settings::addLink(const QString &address)
@@ -109,16 +84,6 @@ void Settings::changeLinks(const std::function<void(QStringList &)> &change)
         m_store->sync();
 }
 
-QString Settings::journalServer() const
-{
-    return value(QStringLiteral("journal-server")).toString();
-}
-
-QString Settings::station() const
-{
-    return value(QStringLiteral("station")).toString();
-}
-
 void Settings::setJournal(const QString &server, const QString &station)
 {
     setValue(QStringLiteral("journal-server"), server);
@@ -129,11 +94,6 @@ QString Settings::firmwareFolder() const
 {
     const QString chosen = value(QStringLiteral("firmware-folder")).toString();
     return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DownloadLocation) : chosen;
-}
-
-void Settings::setFirmwareFolder(const QString &folder)
-{
-    setValue(QStringLiteral("firmware-folder"), folder);
 }
 
 KeyChoices Settings::keys() const
@@ -157,16 +117,6 @@ void Settings::setKeys(const KeyChoices &keys)
         kept[id] = QKeySequence::listToString(list, QKeySequence::PortableText);
     }
     setValue(QStringLiteral("keys"), kept);
-}
-
-bool Settings::isDismissed(const QString &key) const
-{
-    return value(QStringLiteral("dismissed/") + key).toBool();
-}
-
-void Settings::dismiss(const QString &key)
-{
-    setValue(QStringLiteral("dismissed/") + key, true);
 }
 
 } // namespace mb

@@ -35,29 +35,32 @@ public:
     ~Settings();
 
     /// Of themeNames(); empty until chosen.
-    [[nodiscard]] QString theme() const;
-    void setTheme(const QString &theme);
+    [[nodiscard]] QString theme() const { return value(QStringLiteral("theme")).toString(); }
+    void setTheme(const QString &theme) { setValue(QStringLiteral("theme"), theme); }
     [[nodiscard]] Look look() const;
     void setLook(const Look &look);
-    [[nodiscard]] QByteArray geometry() const;
-    void setGeometry(const QByteArray &geometry);
+    [[nodiscard]] QByteArray geometry() const { return value(QStringLiteral("geometry")).toByteArray(); }
+    void setGeometry(const QByteArray &geometry) { setValue(QStringLiteral("geometry"), geometry); }
     /// Addresses that the user added by hand, opened again at the next start.
-    [[nodiscard]] QStringList links() const;
+    [[nodiscard]] QStringList links() const { return value(QStringLiteral("links")).toStringList(); }
     void addLink(const QString &address);
     void removeLink(const QString &address);
     /// Where the start page looks for images; the user's downloads until one was chosen.
     [[nodiscard]] QString firmwareFolder() const;
-    void setFirmwareFolder(const QString &folder);
+    void setFirmwareFolder(const QString &folder) { setValue(QStringLiteral("firmware-folder"), folder); }
     /// Keys that the user gave to commands, by PageKeys::idOf.
     [[nodiscard]] KeyChoices keys() const;
     void setKeys(const KeyChoices &keys);
     /// As orders::KeepJournal: the server that stations share, and the name of this one; empty until chosen.
-    [[nodiscard]] QString journalServer() const;
-    [[nodiscard]] QString station() const;
+    [[nodiscard]] QString journalServer() const { return value(QStringLiteral("journal-server")).toString(); }
+    [[nodiscard]] QString station() const { return value(QStringLiteral("station")).toString(); }
     void setJournal(const QString &server, const QString &station);
     /// Something that was offered once and is not offered again, by a key of its own.
-    [[nodiscard]] bool isDismissed(const QString &key) const;
-    void dismiss(const QString &key);
+    [[nodiscard]] bool isDismissed(const QString &key) const
+    {
+        return value(QStringLiteral("dismissed/") + key).toBool();
+    }
+    void dismiss(const QString &key) { setValue(QStringLiteral("dismissed/") + key, true); }
 
 private:
     [[nodiscard]] QVariant value(const QString &key) const;
