@@ -138,9 +138,8 @@ void Link::lose(Error loss)
 
 void Link::setState(LinkState state)
 {
-    if (m_state == state)
+    if (std::exchange(m_state, state) == state)
         return;
-    m_state = state;
     m_stateChanged.notify(state);
 }
 

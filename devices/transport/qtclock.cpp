@@ -97,9 +97,8 @@ void QtClock::rescheduled()
     if (m_running)
         return; // runDue() programs the timer once, at its end
     const Instant next = hasWork() ? std::max(nextDeadline(), Instant(Duration(1))) : Instant{};
-    if (next == m_programmed)
+    if (std::exchange(m_programmed, next) == next)
         return;
-    m_programmed = next;
     const auto nanoseconds = next.time_since_epoch().count();
     itimerspec spec{};
     spec.it_value.tv_sec = static_cast<time_t>(nanoseconds / 1'000'000'000);

@@ -159,9 +159,8 @@ void StartPage::arrange()
     const int gap = theme.u(12);
     const int most = static_cast<int>(m_stories.size());
     const int columns = std::clamp((room + gap) / (theme.u(storyWidth) + gap), 1, most);
-    if (columns == m_columns)
+    if (std::exchange(m_columns, columns) == columns)
         return;
-    m_columns = columns;
     for (int i = 0; i < most; ++i) {
         m_storyGrid->addWidget(m_stories[static_cast<std::size_t>(i)], i / columns, i % columns);
         m_storyGrid->setColumnStretch(i, i < columns ? 1 : 0);

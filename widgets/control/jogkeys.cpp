@@ -42,9 +42,8 @@ bool JogKeys::press(int key)
 
 void JogKeys::release()
 {
-    if (m_held == 0)
+    if (std::exchange(m_held, 0) == 0)
         return;
-    m_held = 0;
     qApp->removeEventFilter(this);
     m_nudge.stop();
     m_arming.halt();

@@ -196,9 +196,8 @@ void TrialList::fitHead()
 
 void TrialList::setFilling(bool filling)
 {
-    if (filling == m_filling)
+    if (std::exchange(m_filling, filling) == filling)
         return;
-    m_filling = filling;
     fit();
 }
 
@@ -211,9 +210,8 @@ void TrialList::resizeEvent(QResizeEvent *event)
 
 void TrialList::setRows(int rows)
 {
-    if (rows == m_rows)
+    if (std::exchange(m_rows, rows) == rows)
         return;
-    m_rows = rows;
     fit();
 }
 

@@ -187,9 +187,8 @@ void TrialModel::move(std::vector<KeptTrial> trials, std::vector<std::size_t> ro
 
 void TrialModel::setUnits(const DisplayUnits &units)
 {
-    if (units == m_units)
+    if (std::exchange(m_units, units) == units)
         return;
-    m_units = units;
     Q_EMIT dataChanged(index(0, Stimulus), index(rowCount() - 1, Stimulus));
 }
 

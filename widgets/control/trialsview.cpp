@@ -149,9 +149,8 @@ void TrialsView::showParts(bool beside)
 
 void TrialsView::setShown(Shown shown)
 {
-    if (shown == m_shown)
+    if (std::exchange(m_shown, shown) == shown)
         return;
-    m_shown = shown;
     arrange();
 }
 
@@ -172,9 +171,8 @@ void TrialsView::choose(const Family *family, const std::string &unit, int axis,
 
 void TrialsView::setUnits(const DisplayUnits &units)
 {
-    if (units == m_units)
+    if (std::exchange(m_units, units) == units)
         return;
-    m_units = units;
     m_list->setUnits(units);
     draw();
 }

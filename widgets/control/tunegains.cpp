@@ -46,9 +46,8 @@ void TuneGains::follow(const DeviceView &view)
     const bool reading = operation(view) != nullptr;
     const Shown shown{view.id, view.parameterRevision, reading, m_choices.editRevision(), chosen.mode,
         chosen.editedSlot, chosen.units.countsPerRevolution, m_choices.axis()};
-    if (m_shown == shown)
+    if (std::exchange(m_shown, shown) == shown)
         return;
-    m_shown = shown;
     GainsPanel &panel = m_column.gainsPanel();
     panel.choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_choices.axis());
     panel.refresh(view, reading);

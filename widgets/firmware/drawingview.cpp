@@ -32,9 +32,8 @@ DrawingView::DrawingView(const ThemeSource &theme, QWidget *parent)
 void DrawingView::setDrawing(const Drawing *drawing)
 {
     setVisible(drawing);
-    if (drawing == m_drawing)
+    if (std::exchange(m_drawing, drawing) == drawing)
         return;
-    m_drawing = drawing;
     setAccessibleName(drawing ? tableText(drawing->description) : QString());
     updateGeometry();
     update();

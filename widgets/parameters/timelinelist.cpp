@@ -78,9 +78,8 @@ void TimelineList::addHead(const QString &text)
 
 void TimelineList::addDay(const QDate &day)
 {
-    if (day == m_day)
+    if (std::exchange(m_day, day) == day)
         return;
-    m_day = day;
     addHead(day == QDate::currentDate() ? tr("Today, %1").arg(dayText(day)) : dayText(day));
 }
 

@@ -33,9 +33,8 @@ void PlotView::setLive(bool live)
 {
     if (live && m_whole)
         return setRange(m_whole->first, m_whole->second);
-    if (m_live == live)
+    if (std::exchange(m_live, live) == live)
         return;
-    m_live = live;
     Q_EMIT changed();
     Q_EMIT liveChanged(live);
 }

@@ -82,9 +82,8 @@ QWidget *GuideStrip::buildButtons()
 
 void GuideStrip::offer(const Story *story)
 {
-    if (m_offer == story)
+    if (std::exchange(m_offer, story) == story)
         return;
-    m_offer = story;
     follow();
 }
 

@@ -56,9 +56,8 @@ void LogPoller::wish(Log log, double hertz)
 {
     Wish &wish = m_wishes.at(at(log));
     const auto period = hertz > 0.0 ? fromSeconds(1.0 / hertz) : Duration::zero();
-    if (period == wish.period)
+    if (std::exchange(wish.period, period) == period)
         return;
-    wish.period = period;
     wish.due = std::min(std::max(wish.due, m_clock.now()), m_clock.now() + period);
     schedule();
 }

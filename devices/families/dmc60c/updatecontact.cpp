@@ -36,9 +36,8 @@ UpdateContact::UpdateContact(Device &device)
 
 void UpdateContact::takeSession(std::uint16_t session)
 {
-    if (session == m_session)
+    if (std::exchange(m_session, session) == session)
         return;
-    m_session = session;
     Identity identity = m_device.identity();
     identity.session = session;
     m_device.setIdentity(std::move(identity));

@@ -128,9 +128,8 @@ bool Board::failsWithLine(int line)
 
 void Board::setRunning(bool running)
 {
-    if (running == m_running)
+    if (std::exchange(m_running, running) == running)
         return;
-    m_running = running;
     m_awake = m_clock.now() + startTime;
     restart();
 }
