@@ -80,9 +80,4 @@ void AxesTour::step(double target)
     page.run();
 }
 
-bool AxesTour::allMove() const
-{
-    return m_stage.board()->motion.setPoints.size() == 4;
-}
-
 } // namespace mb

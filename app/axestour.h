@@ -19,7 +19,7 @@ private:
     void planBoard();
     void planStep();
     void step(double target);
-    [[nodiscard]] bool allMove() const;
+    [[nodiscard]] bool allMove() const { return m_stage.board()->motion.setPoints.size() == 4; }
 
     TourStage &m_stage;
 };

@@ -271,21 +271,6 @@ void Engine::report(Severity severity, const QString &device, const QString &tex
     Q_EMIT noticed(m_notices.back());
 }
 
-SettingsArchive &Engine::settings()
-{
-    return *m_archive;
-}
-
-TrialNotebook &Engine::trials()
-{
-    return *m_notebook;
-}
-
-VisitArchive &Engine::visits()
-{
-    return *m_visits;
-}
-
 /// Before every other order; past the engine thread where that does not come to it.
 void Engine::stopAll(StopCause cause)
 {

@@ -36,9 +36,9 @@ public:
     [[nodiscard]] SleepLog sleeps() override { return m_clock.sleeps(); }
     [[nodiscard]] const std::vector<LinkListing> &listings() const override { return m_listings; }
 
-    [[nodiscard]] SettingsArchive &settings() override;
-    [[nodiscard]] TrialNotebook &trials() override;
-    [[nodiscard]] VisitArchive &visits() override;
+    [[nodiscard]] SettingsArchive &settings() override { return *m_archive; }
+    [[nodiscard]] TrialNotebook &trials() override { return *m_notebook; }
+    [[nodiscard]] VisitArchive &visits() override { return *m_visits; }
     [[nodiscard]] const JournalState &journal() const override { return m_journal; }
     [[nodiscard]] const ServiceView &service() const override { return m_service; }
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override

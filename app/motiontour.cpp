@@ -17,11 +17,6 @@ constexpr double triggerLevel = 30000.0; ///< counts/s
 
 } // namespace
 
-const DeviceView *MotionTour::unit() const
-{
-    return m_stage.device(&DemoUnits::tuned);
-}
-
 void MotionTour::plan()
 {
     planStep();

@@ -28,7 +28,7 @@ private:
     void addSignals(PlotsPage &page);
     void drive();
     [[nodiscard]] bool comesToSpeed();
-    [[nodiscard]] const DeviceView *unit() const;
+    [[nodiscard]] const DeviceView *unit() const { return m_stage.device(&DemoUnits::tuned); }
 
     TourStage &m_stage;
     Instant m_drivenAt{};

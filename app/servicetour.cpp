@@ -25,11 +25,6 @@ constexpr int writtenShare = 40; ///< percent, when the picture of a queue is ta
 
 } // namespace
 
-const DeviceView *ServiceTour::unit() const
-{
-    return m_stage.device(&DemoUnits::tuned);
-}
-
 QueueBoard &ServiceTour::board() const
 {
     return m_stage.page<FirmwarePage>(PageId::Firmware).queue();

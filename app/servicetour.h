@@ -26,7 +26,7 @@ public:
     void planJournal();
 
 private:
-    [[nodiscard]] const DeviceView *unit() const;
+    [[nodiscard]] const DeviceView *unit() const { return m_stage.device(&DemoUnits::tuned); }
     [[nodiscard]] QueueBoard &board() const;
     [[nodiscard]] bool isOver() const;
     void loosen();

@@ -25,11 +25,6 @@ constexpr std::chrono::milliseconds afterTrial{600};
 
 } // namespace
 
-const DeviceView *TuningTour::unit() const
-{
-    return m_stage.device(&DemoUnits::overshooting);
-}
-
 void TuningTour::plan()
 {
     planTrials();

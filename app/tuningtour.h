@@ -22,7 +22,7 @@ private:
     void arm();
     void tryGains(double p, double i);
     [[nodiscard]] double overshoot();
-    [[nodiscard]] const DeviceView *unit() const;
+    [[nodiscard]] const DeviceView *unit() const { return m_stage.device(&DemoUnits::overshooting); }
 
     TourStage &m_stage;
     double m_found = 0.0; ///< overshoot as it was found, share of its step

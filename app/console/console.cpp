@@ -32,16 +32,6 @@ std::uint64_t Console::sent() const
     return all;
 }
 
-void Console::begin()
-{
-    m_sentBefore = sent();
-}
-
-bool Console::hasSent() const
-{
-    return m_sentBefore && sent() > *m_sentBefore;
-}
-
 int Console::fails(const Error &error) const
 {
     const int status = exitStatusOf(error.fault, hasSent());

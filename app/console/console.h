@@ -33,14 +33,14 @@ public:
     /// Tells an error that does not end the verb by itself, and yields the exit status that it asks for.
     [[nodiscard]] int fails(const Error &error) const;
     /// The device of the verb is found: what is sent from now on is meant for it.
-    void begin();
+    void begin() { m_sentBefore = sent(); }
     /// Whatever is asked meanwhile, the device is told nothing until begin(): what is refused till then is wrong usage.
     void onlyAsk() { m_sentBefore.reset(); }
     /// A unit is between two steps that belong together: the computer must not sleep.
     void stayAwake(bool must) { m_staysAwake = must; }
     [[nodiscard]] bool staysAwake() const { return m_staysAwake; }
     /// Something was, so that a refusal is no wrong usage any more.
-    [[nodiscard]] bool hasSent() const;
+    [[nodiscard]] bool hasSent() const { return m_sentBefore && sent() > *m_sentBefore; }
 
     /// A signal, or the reader of standard output has gone. A verb that listens ends by itself; the others are cut.
     [[nodiscard]] Listeners<> &interrupted() { return m_interruptions; }

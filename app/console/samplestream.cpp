@@ -55,11 +55,6 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
     }
 }
 
-bool SampleStream::isNews(const StateRow &row) const
-{
-    return row.kind != StateKind::Rest || !m_driven;
-}
-
 void SampleStream::print(const Sample &sample)
 {
     if (!m_chosen[sample.channel.value] || sample.time < m_start)

@@ -18,11 +18,6 @@ Stage::Stage(Console &console, const LinkAddress &link)
 
 Stage::~Stage() = default;
 
-Session &Stage::session()
-{
-    return m_session ? *m_session : m_console.session();
-}
-
 Task<Device *> Stage::find(Target target)
 {
     Device *const device = co_await connectIn(m_console, session(), std::move(target));

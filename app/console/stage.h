@@ -20,7 +20,7 @@ public:
     Stage(Console &console, const LinkAddress &link);
     ~Stage();
 
-    [[nodiscard]] Session &session();
+    [[nodiscard]] Session &session() { return m_session ? *m_session : m_console.session(); }
     /// In its application, and listened to long enough that another master was heard.
     [[nodiscard]] Task<Device *> find(Target target);
 

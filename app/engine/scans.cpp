@@ -125,11 +125,6 @@ void Scans::giveWay(const Link &link)
     forget(link);
 }
 
-void Scans::forget(const Link &link)
-{
-    m_rounds.erase(&link);
-}
-
 void Scans::describe(const Link &link, LinkView &view) const
 {
     const auto round = m_rounds.find(&link);

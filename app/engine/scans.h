@@ -23,7 +23,7 @@ public:
     /// Something else needs the link for itself; a search that somebody asked for is said to be over.
     void giveWay(const Link &link);
     /// A link is about to go.
-    void forget(const Link &link);
+    void forget(const Link &link) { m_rounds.erase(&link); }
     /// Its part of what is shown of a link.
     void describe(const Link &link, LinkView &view) const;
 

@@ -220,11 +220,6 @@ void ServiceJobs::carryOut(const orders::ArmService &order, const Finished &fini
     finished({});
 }
 
-void ServiceJobs::arm(bool on)
-{
-    m_permit.arm(on && isRunning() && m_matter->recipe.test);
-}
-
 void ServiceJobs::carryOut(const orders::RenewService &, const Finished &finished)
 {
     if (m_queue)

@@ -39,7 +39,7 @@ public:
     void carryOut(const orders::ArmService &order, const Finished &finished);
     void carryOut(const orders::RenewService &order, const Finished &finished);
     void carryOut(const orders::KeepJournal &order, const Finished &finished);
-    void arm(bool on);
+    void arm(bool on) { m_permit.arm(on && isRunning() && m_matter->recipe.test); }
     /// Motors of units stop with all others; nothing is armed any more, and the queue ends.
     void stop();
     [[nodiscard]] ServiceView view() const;

@@ -73,11 +73,6 @@ Duration ExperimentMotion::longest() const
     return approachLimit + ofSeconds(once * m_plan.repeat);
 }
 
-bool ExperimentMotion::isOver() const
-{
-    return m_recorder.trip() || !m_stream.isRunning();
-}
-
 void ExperimentMotion::setTarget(double target)
 {
     m_recorder.expect(target);

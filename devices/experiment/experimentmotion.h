@@ -52,7 +52,7 @@ private:
     [[nodiscard]] bool hasReturned(Instant since) const;
     [[nodiscard]] double restWidth() const;
     /// Something has ended the motion.
-    [[nodiscard]] bool isOver() const;
+    [[nodiscard]] bool isOver() const { return m_recorder.trip() || !m_stream.isRunning(); }
     void setTarget(double target);
     void keepHolds(Instant begin, Instant back);
     void tellMeasured() const;

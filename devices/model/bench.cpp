@@ -93,11 +93,6 @@ Result<std::unique_ptr<Bench>> Bench::create(
     return bench;
 }
 
-void Bench::setLoss(double fraction)
-{
-    m_bus->setLoss(fraction);
-}
-
 Result<void> Bench::populate(std::span<const Family *const> families, const std::vector<SimulatedFault> &faults)
 {
     std::vector<bool> known(faults.size());

@@ -25,7 +25,7 @@ public:
     /// Whoever follows the link must live on this clock.
     [[nodiscard]] Clock &clock() { return m_clock; }
     /// The share of frames that is lost from now on, 0 to 1, as `loss=` of the address sets it from the start.
-    void setLoss(double fraction);
+    void setLoss(double fraction) { m_bus->setLoss(fraction); }
 
 private:
     Bench(LinkAddress address, Clock &outer, std::uint64_t seed);

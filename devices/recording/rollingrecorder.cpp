@@ -315,11 +315,6 @@ void RollingRecorder::prune(Instant now)
     }
 }
 
-void RollingRecorder::startKeeping()
-{
-    m_keeping = true;
-}
-
 Result<ExportReport> RollingRecorder::save(const std::string &path, const ExportProgress &progress)
 {
     if (m_failure)

@@ -45,7 +45,7 @@ public:
     void note(Instant time, const std::string &text);
 
     /// From now on nothing is removed; what is there already (up to `keep` back) belongs to it.
-    void startKeeping();
+    void startKeeping() { m_keeping = true; }
     [[nodiscard]] bool isKeeping() const { return m_keeping; }
     /// Joins everything since `keep` before startKeeping() into one file, and goes back to rolling. While samples wait for a disk that takes
     /// nothing it fails with that cause, and goes on keeping.

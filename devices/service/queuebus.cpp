@@ -369,11 +369,6 @@ void QueueBus::ended(Row &row, const Visit &visit)
     m_run.count(visit);
 }
 
-bool QueueBus::isReal() const
-{
-    return !m_link.address().isSimulated() && !m_link.address().isRecording();
-}
-
 void QueueBus::addRows(std::vector<Shared<QueueRow>> &rows) const
 {
     for (const Row &row : m_rows.all())

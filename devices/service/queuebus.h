@@ -23,7 +23,7 @@ public:
     void setInLane(bool is) { m_isInLane = is; }
     [[nodiscard]] bool isServing() const { return m_serving != nullptr; }
     /// Neither simulated nor a recording.
-    [[nodiscard]] bool isReal() const;
+    [[nodiscard]] bool isReal() const { return !m_link.address().isSimulated() && !m_link.address().isRecording(); }
     void addRows(std::vector<Shared<QueueRow>> &rows) const;
 
     bool skip(std::uint32_t row);

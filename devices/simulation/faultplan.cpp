@@ -47,11 +47,6 @@ FrameFate FaultPlan::sent()
     return fate;
 }
 
-bool FaultPlan::failsWithFrame()
-{
-    return strikes("power", ++m_heard) != nullptr;
-}
-
 bool FaultPlan::failsWithPage(int page)
 {
     const auto fault = std::ranges::find_if(m_faults,

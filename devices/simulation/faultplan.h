@@ -35,7 +35,7 @@ public:
     /// One more frame is sent.
     [[nodiscard]] FrameFate sent();
     /// One more frame was for this unit; whether the supply goes with it.
-    [[nodiscard]] bool failsWithFrame();
+    [[nodiscard]] bool failsWithFrame() { return strikes("power", ++m_heard) != nullptr; }
     /// This page, or line, of firmware is being written; whether the supply goes with it. Once.
     [[nodiscard]] bool failsWithPage(int page);
     /// For a while nothing is heard and nothing sent.

@@ -107,12 +107,6 @@ Task<void> SharedJournal::deliverBatch(std::vector<KeptVisit> batch)
     co_return {};
 }
 
-/// Where numbers of this server lie in the station's file: those that the file gives by itself are other ones.
-std::string SharedJournal::hereOf(const std::string &scope) const
-{
-    return scope + '@' + m_server.url();
-}
-
 /// What is asked for is written down before: an answer that was lost is asked for again by the same name.
 Result<std::string> SharedJournal::tokenFor(const std::string &scope)
 {

@@ -43,7 +43,8 @@ private:
     [[nodiscard]] Task<std::optional<int>> recalled(service::NumberWish wish, std::string here);
     /// When it was last asked for something.
     [[nodiscard]] bool isSilent() const { return m_trouble.fault == Fault::Timeout && !m_trouble.detail.empty(); }
-    [[nodiscard]] std::string hereOf(const std::string &scope) const;
+    /// Where numbers of this server lie in the station's file: those that the file gives by itself are other ones.
+    [[nodiscard]] std::string hereOf(const std::string &scope) const { return scope + '@' + m_server.url(); }
     [[nodiscard]] Result<std::string> tokenFor(const std::string &scope);
 
     ServiceBook &m_book;

@@ -79,11 +79,6 @@ void LineColumns::add(TapePosition position)
     join(position);
 }
 
-void LineColumns::join(TapePosition position)
-{
-    m_out.push_back(m_tape.pointAt(position));
-}
-
 bool LineColumns::isBroken(TapePosition position)
 {
     if (m_out.empty() || m_break == m_breaks.end())

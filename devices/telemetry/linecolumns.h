@@ -30,7 +30,7 @@ private:
     void column(TapePosition from, TapePosition to);
     void add(TapePosition position);
     /// A point that the line goes on to, whatever lies between.
-    void join(TapePosition position);
+    void join(TapePosition position) { m_out.push_back(m_tape.pointAt(position)); }
     /// Positions come in order, so the search goes on where it was.
     [[nodiscard]] bool isBroken(TapePosition position);
 

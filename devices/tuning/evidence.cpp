@@ -101,11 +101,6 @@ std::optional<double> Evidence::meanOf(std::string_view channel, double from, do
     return trace.isEmpty() ? std::nullopt : std::optional(meanOfTrace(trace));
 }
 
-std::optional<double> Evidence::dutyAtEnd() const
-{
-    return meanOf("duty", 0.75 * m_hold, m_hold);
-}
-
 std::optional<double> Evidence::dutyBefore() const
 {
     return meanOf("duty", -restTime, -0.01);

@@ -38,7 +38,7 @@ public:
     /// Target minus where it ends.
     [[nodiscard]] std::optional<double> countsLeft() const;
     /// Mean duty over the last quarter of the hold; before the edge.
-    [[nodiscard]] std::optional<double> dutyAtEnd() const;
+    [[nodiscard]] std::optional<double> dutyAtEnd() const { return meanOf("duty", 0.75 * m_hold, m_hold); }
     [[nodiscard]] std::optional<double> dutyBefore() const;
     /// Duty that D gives for one count between two of its looks.
     [[nodiscard]] std::optional<double> leapOfOneCount() const;

@@ -95,11 +95,6 @@ void TuneDesign::choose(const Proposal &proposal)
     m_step = proposal.step;
 }
 
-bool TuneDesign::mayChange() const
-{
-    return !m_plan.response && !m_plan.ms;
-}
-
 Task<bool> TuneDesign::reconsider()
 {
     if (!mayChange())

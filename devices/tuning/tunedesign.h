@@ -47,7 +47,7 @@ private:
     [[nodiscard]] ProposalBasis basis() const;
     [[nodiscard]] ProposalWish wishFor(Aim aim) const;
     [[nodiscard]] VelocityTaking taking() const;
-    [[nodiscard]] bool mayChange() const;
+    [[nodiscard]] bool mayChange() const { return !m_plan.response && !m_plan.ms; }
     [[nodiscard]] Task<bool> improved();
     [[nodiscard]] Task<std::optional<PlantModel>> corrected();
     [[nodiscard]] Task<bool> proposeOn(PlantModel plant);

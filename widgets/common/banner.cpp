@@ -75,11 +75,6 @@ Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, 
     restyle();
 }
 
-QString Banner::cause() const
-{
-    return m_cause->text();
-}
-
 void Banner::setText(const QString &cause, const QString &remedy)
 {
     m_cause->setText(cause);

@@ -21,7 +21,7 @@ public:
         QWidget *parent = nullptr);
 
     BannerKind kind() const { return m_kind; }
-    QString cause() const;
+    QString cause() const { return m_cause->text(); }
     void setText(const QString &cause, const QString &remedy);
     /// A verb with an object; empty hides the button.
     void setAction(const QString &text);

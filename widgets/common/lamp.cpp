@@ -129,16 +129,6 @@ LampFace Lamp::face() const
     return {m_theme.theme(), font(), m_status, m_hold.isUnderWay()};
 }
 
-QSize Lamp::sizeHint() const
-{
-    return face().preferred();
-}
-
-QSize Lamp::minimumSizeHint() const
-{
-    return face().least();
-}
-
 void Lamp::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);

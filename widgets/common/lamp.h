@@ -27,9 +27,9 @@ public:
     void hold();
     /// Ends a hold for nothing.
     void giveUp() { endHold(false); }
-    QSize sizeHint() const override;
+    QSize sizeHint() const override { return face().preferred(); }
     /// Word above, detail below: what a narrow window leaves of it.
-    QSize minimumSizeHint() const override;
+    QSize minimumSizeHint() const override { return face().least(); }
 
 Q_SIGNALS:
     /// The hold is complete.

@@ -25,11 +25,6 @@ int WrapLayout::gap() const
     return std::max(0, spacing());
 }
 
-void WrapLayout::addSpring()
-{
-    m_spring = count();
-}
-
 void WrapLayout::prepend(QWidget *widget)
 {
     addWidget(widget);
@@ -42,16 +37,6 @@ QSize WrapLayout::sizeOf(QLayoutItem &item) const
 {
     const bool stretched = m_stretched && item.widget() == m_stretched;
     return {stretched ? item.minimumSize().width() : item.sizeHint().width(), item.sizeHint().height()};
-}
-
-void WrapLayout::addItem(QLayoutItem *item)
-{
-    m_items.push_back(item);
-}
-
-int WrapLayout::count() const
-{
-    return static_cast<int>(m_items.size());
 }
 
 QLayoutItem *WrapLayout::itemAt(int index) const

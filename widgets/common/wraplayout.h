@@ -19,14 +19,14 @@ public:
     /// Between the lines; what is between the widgets, if none was given.
     void setLineSpacing(int spacing) { m_lineSpacing = spacing; }
     /// What follows goes to the right end.
-    void addSpring();
+    void addSpring() { m_spring = count(); }
     /// Before the others; what follows the spring stays what it is.
     void prepend(QWidget *widget);
     /// Takes what its line has to spare, and is as narrow as it may be before the line is broken.
     void setStretched(QWidget *widget) { m_stretched = widget; }
 
-    void addItem(QLayoutItem *item) override;
-    int count() const override;
+    void addItem(QLayoutItem *item) override { m_items.push_back(item); }
+    int count() const override { return static_cast<int>(m_items.size()); }
     QLayoutItem *itemAt(int index) const override;
     QLayoutItem *takeAt(int index) override;
     Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }

@@ -139,11 +139,6 @@ void GainRow::setUnit(const QString &unit)
     m_field->setToolTip(unit);
 }
 
-void GainRow::setPhysical(const QString &text)
-{
-    m_physical = text;
-}
-
 void GainRow::focusField()
 {
     m_field->setFocus(Qt::ShortcutFocusReason);
@@ -170,11 +165,6 @@ void GainRow::multiply(double factor)
     chosen(*now * factor);
     m_sliding = false;
     m_edits.endTyping(true);
-}
-
-void GainRow::typed(const QString &text)
-{
-    m_edits.type(m_index, text);
 }
 
 void GainRow::chosen(double number)

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] ParameterIndex index() const { return m_index; }
     void setUnit(const QString &unit);
     /// "2.49e-3 duty/(rad/s)"; empty shows none.
-    void setPhysical(const QString &text);
+    void setPhysical(const QString &text) { m_physical = text; }
     /// The newest of the device and of what is staged.
     void refresh(const ParameterStore::Entry &entry);
     void setReading(bool reading) { m_reading = reading; }
@@ -47,7 +47,7 @@ private:
     void multiply(double factor);
     void buildFirstLine(QGridLayout &grid);
     void buildSecondLine(QGridLayout &grid);
-    void typed(const QString &text);
+    void typed(const QString &text) { m_edits.type(m_index, text); }
     void chosen(double number);
     void showState(const ParameterStore::Entry &entry, const StagedEdit *edit);
     void showNumbers(std::optional<std::int64_t> raw, bool edited);

@@ -21,11 +21,6 @@ GroupMotion::GroupMotion(Workbench &workbench, Arming &arming, QObject *parent)
     connect(&arming, &Arming::changed, this, &GroupMotion::follow);
 }
 
-const DeviceView *GroupMotion::viewOf(DeviceId device) const
-{
-    return m_workbench.snapshot().device(device);
-}
-
 bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
 {
     if (m_arming.isOnTrial(lead)) {

@@ -44,7 +44,7 @@ private:
     void command(const Member &member);
     void letGo(const std::vector<Member> &staying);
     void released(bool begun);
-    [[nodiscard]] const DeviceView *viewOf(DeviceId device) const;
+    [[nodiscard]] const DeviceView *viewOf(DeviceId device) const { return m_workbench.snapshot().device(device); }
 
     Workbench &m_workbench;
     Arming &m_arming;

@@ -51,11 +51,6 @@ QSize LogSlider::sizeHint() const
     return {m_theme.theme().u(120), m_theme.theme().u(32)};
 }
 
-double LogSlider::margin() const
-{
-    return m_theme.theme().u(8);
-}
-
 double LogSlider::xOf(int position) const
 {
     return margin() + (width() - 2.0 * margin()) * (position + steps) / (2.0 * steps);

@@ -38,7 +38,7 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    [[nodiscard]] double margin() const;
+    [[nodiscard]] double margin() const { return m_theme.theme().u(8); }
     [[nodiscard]] double xOf(int position) const;
     void moveTo(double x);
     void multiply(double factor);

@@ -42,11 +42,6 @@ MovesPanel::MovesPanel(Workbench &workbench, Arming &arming, const ThemeSource &
     connect(&arming, &Arming::changed, this, &MovesPanel::showStates);
 }
 
-bool MovesPanel::serves(const Family &family)
-{
-    return family.capabilities.bufferedMoves;
-}
-
 void MovesPanel::buildKind()
 {
     auto *row = new QHBoxLayout;
@@ -228,11 +223,6 @@ void MovesPanel::prepare()
         return;
     Q_EMIT taken();
     m_group.prepare(m_lead, std::move(*all));
-}
-
-void MovesPanel::startTogether()
-{
-    m_group.start();
 }
 
 void MovesPanel::hold()

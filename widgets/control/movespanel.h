@@ -27,11 +27,11 @@ public:
     MovesPanel(Workbench &workbench, Arming &arming, const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Whether `family` has something for this panel.
-    [[nodiscard]] static bool serves(const Family &family);
+    [[nodiscard]] static bool serves(const Family &family) { return family.capabilities.bufferedMoves; }
     /// The device that is selected.
     void follow(const DeviceView &lead);
     void prepare();
-    void startTogether();
+    void startTogether() { m_group.start(); }
     void hold();
 
 Q_SIGNALS:

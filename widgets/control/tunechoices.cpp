@@ -16,11 +16,6 @@ TuneChoices::TuneChoices(Workbench &workbench, const Selection &selection)
 {
 }
 
-const DeviceView *TuneChoices::device() const
-{
-    return m_workbench.snapshot().device(m_selection.device());
-}
-
 int TuneChoices::axisOf(const DeviceView &view) const
 {
     return hasAxes(*view.family) ? std::min(m_selection.motor(), view.family->capabilities.axes) : 0;

@@ -42,7 +42,7 @@ public:
     TuneChoices(Workbench &workbench, const Selection &selection);
 
     /// The device that is selected; nullptr: none, or it is gone.
-    [[nodiscard]] const DeviceView *device() const;
+    [[nodiscard]] const DeviceView *device() const { return m_workbench.snapshot().device(m_selection.device()); }
     /// Its axis that is meant (Selection::motor()). 0: it has one motor only.
     [[nodiscard]] int axisOf(const DeviceView &view) const;
 

@@ -175,11 +175,6 @@ void BodePlot::setLoop(
     m_phase->fit();
 }
 
-void BodePlot::setMeasured(std::vector<tuning::FrequencyPoint> points)
-{
-    m_measured = std::move(points);
-}
-
 void BodePlot::setCompared(const std::optional<tuning::ContinuousGains> &gains, const QString &name)
 {
     m_compared = gains;

@@ -26,7 +26,7 @@ public:
         const tuning::Margins &margins);
     /// What was measured of the motor, over its model, with the dead time of the model: as lines the points up to the first that may not
     /// be trusted, faint what is beyond. Empty: nothing was. Holds for the next setLoop().
-    void setMeasured(std::vector<tuning::FrequencyPoint> points);
+    void setMeasured(std::vector<tuning::FrequencyPoint> points) { m_measured = std::move(points); }
     /// Other gains to compare with, and their name: the same loop, dashed. Holds for the next setLoop().
     void setCompared(const std::optional<tuning::ContinuousGains> &gains, const QString &name);
     void clear();

@@ -89,12 +89,6 @@ PartState PageMap::stateOf(int part) const
     return state == m_states.end() ? PartState::Waiting : state->second;
 }
 
-/// What is written cannot be cut any more.
-bool PageMap::mustNotCut(int part) const
-{
-    return part == m_critical && stateOf(part) != PartState::Done;
-}
-
 void PageMap::paintCell(QPainter &painter, std::size_t place) const
 {
     const Theme &theme = m_theme.theme();

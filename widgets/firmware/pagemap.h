@@ -35,7 +35,8 @@ private:
     [[nodiscard]] int columns(int width) const;
     [[nodiscard]] QRectF cell(std::size_t place) const;
     [[nodiscard]] PartState stateOf(int part) const;
-    [[nodiscard]] bool mustNotCut(int part) const;
+    /// What is written cannot be cut any more.
+    [[nodiscard]] bool mustNotCut(int part) const { return part == m_critical && stateOf(part) != PartState::Done; }
     void paintCell(QPainter &painter, std::size_t place) const;
     [[nodiscard]] QString word(int part) const;
 

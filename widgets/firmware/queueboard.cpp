@@ -192,11 +192,6 @@ bool QueueBoard::openImage(const QString &path)
     return opened(m_recipe.openImage(path, families));
 }
 
-bool QueueBoard::openRecipe(const QString &path)
-{
-    return opened(m_recipe.openRecipe(path, m_families));
-}
-
 void QueueBoard::edit()
 {
     if (auto *open = findChild<RecipeEditor *>(); open && open->isVisible()) {

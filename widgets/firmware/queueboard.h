@@ -37,7 +37,7 @@ public:
     void setRecipeFolder(const QString &folder) { m_recipeFolder = folder; }
     /// False, with a notice of what is wrong, where it is none.
     bool openImage(const QString &path);
-    bool openRecipe(const QString &path);
+    bool openRecipe(const QString &path) { return opened(m_recipe.openRecipe(path, m_families)); }
     /// Opens the editor with the recipe that is open, or with a new one; what is saved there is opened here.
     void edit();
     /// The ticked units; nothing while canStart() is false.

@@ -83,11 +83,6 @@ void UpdateSide::showSafety(Safety safety, const QString &place, const UpdateWor
                     : tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
 }
 
-void UpdateSide::setGuided(bool guided)
-{
-    m_pages->setVisible(!guided);
-}
-
 void UpdateSide::setNotes(const QString &notes)
 {
     m_notes->setText(notes);

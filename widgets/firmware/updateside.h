@@ -27,7 +27,7 @@ public:
     /// `place`: which unit it is about.
     void showSafety(Safety safety, const QString &place, const UpdateWords &words);
     /// The steps of hands in the place of the pages.
-    void setGuided(bool guided);
+    void setGuided(bool guided) { m_pages->setVisible(!guided); }
     void setNotes(const QString &notes);
     /// Between what hands do and the pages.
     void add(QWidget *part);

@@ -144,11 +144,6 @@ void BusPage::setPaused(bool paused)
         m_tables->toEnd();
 }
 
-const LinkView *BusPage::link() const
-{
-    return m_workbench.snapshot().link(m_address);
-}
-
 void BusPage::followLinks()
 {
     const Snapshot &shot = m_workbench.snapshot();

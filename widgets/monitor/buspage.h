@@ -65,7 +65,7 @@ private:
     void find(bool forward);
     void askWhereTo(bool all);
     void arrange();
-    [[nodiscard]] const LinkView *link() const;
+    [[nodiscard]] const LinkView *link() const { return m_workbench.snapshot().link(m_address); }
     [[nodiscard]] WallClock exportClock() const;
 
     Workbench &m_workbench;

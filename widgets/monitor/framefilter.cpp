@@ -38,11 +38,6 @@ FrameFilter FrameFilter::both(FrameFilter a, const FrameFilter &b)
     return a;
 }
 
-bool FrameFilter::passes(const FrameFacts &facts) const
-{
-    return isEmpty() || holds(m_tree.root, facts);
-}
-
 bool FrameFilter::holds(std::size_t node, const FrameFacts &facts) const
 {
     using Join = FilterTree::Join;

@@ -19,7 +19,7 @@ public:
     /// What both pass.
     [[nodiscard]] static FrameFilter both(FrameFilter a, const FrameFilter &b);
 
-    [[nodiscard]] bool passes(const FrameFacts &facts) const;
+    [[nodiscard]] bool passes(const FrameFacts &facts) const { return isEmpty() || holds(m_tree.root, facts); }
     [[nodiscard]] bool isEmpty() const { return m_tree.nodes.empty(); }
     /// What is wrong with the text and what would be right; empty when all is well. A filter with a problem passes
     /// everything.

@@ -56,11 +56,6 @@ void AxisChoice::nameAxes()
         m_axes->setText(axis, m_axes->isFolded() ? axisTitle(axis) : QString::number(axis));
 }
 
-const DeviceView *AxisChoice::device() const
-{
-    return m_workbench.snapshot().device(m_selection.device());
-}
-
 /// All, 1 … n, board.
 void AxisChoice::follow(const Family &family)
 {

@@ -37,7 +37,7 @@ private:
     void nameAxes();
     void copyFrom(int axis);
     void fillMenu();
-    [[nodiscard]] const DeviceView *device() const;
+    [[nodiscard]] const DeviceView *device() const { return m_workbench.snapshot().device(m_selection.device()); }
 
     Workbench &m_workbench;
     Selection &m_selection;

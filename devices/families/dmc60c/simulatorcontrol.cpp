@@ -94,11 +94,6 @@ void Drive::masterHeard(std::int32_t duty, Instant now)
     wake();
 }
 
-int Drive::master() const
-{
-    return m_running && isFollowing() ? m_command.target : 0;
-}
-
 bool Drive::isClosedLoop() const
 {
     return m_command.mode == ControlMode::Velocity || m_command.mode == ControlMode::Position

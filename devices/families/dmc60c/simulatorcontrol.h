@@ -39,7 +39,7 @@ public:
     /// Running: closed loops even at 0, open loops when they drive.
     [[nodiscard]] bool isOutputOn() const { return m_outputOn; }
     [[nodiscard]] bool isDisabled() const { return !m_running || m_halted || m_faults.holdsBridge(); }
-    [[nodiscard]] int master() const;
+    [[nodiscard]] int master() const { return m_running && isFollowing() ? m_command.target : 0; }
     [[nodiscard]] std::int32_t position() const { return m_sensing.position(); }
     void setPosition(std::int32_t counts) { m_sensing.setPosition(counts); }
 

@@ -29,11 +29,6 @@ void FaultMonitor::start(Instant now)
     m_overCurrentPasses = 0;
 }
 
-void FaultMonitor::setOutside(std::uint32_t bit, bool present)
-{
-    m_outside = present ? m_outside | bit : m_outside & ~bit;
-}
-
 void FaultMonitor::raiseOutside(std::uint32_t bit, bool present, Instant now)
 {
     raise(present ? m_faults | bit : m_faults & ~bit, now);

@@ -28,7 +28,7 @@ public:
     /// One pass of the loop.
     void pass(const Rig &rig, Instant at);
     /// Fault bits that do not come from the loop: gate driver, communication.
-    void setOutside(std::uint32_t bit, bool present);
+    void setOutside(std::uint32_t bit, bool present) { m_outside = present ? m_outside | bit : m_outside & ~bit; }
     /// The same for a loop that runs: they hold at once.
     void raiseOutside(std::uint32_t bit, bool present, Instant now);
     [[nodiscard]] bool holdsBridge() const { return m_holds; }

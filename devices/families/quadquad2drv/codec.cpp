@@ -58,11 +58,6 @@ Bytes encode(std::uint8_t id, std::span<const std::uint8_t> payload)
     return out;
 }
 
-void PacketReader::feed(std::span<const std::uint8_t> bytes)
-{
-    m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end());
-}
-
 void PacketReader::align()
 {
     const auto begin = std::ranges::find(m_bytes, stx);

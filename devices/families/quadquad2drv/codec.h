@@ -34,7 +34,7 @@ struct Packet {
 /// Finds packets in what the board clocks out; tolerates filler, and what is no packet costs one byte at a time (README.md#checksum).
 class PacketReader {
 public:
-    void feed(std::span<const std::uint8_t> bytes);
+    void feed(std::span<const std::uint8_t> bytes) { m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end()); }
     /// The next whole packet with a good checksum.
     [[nodiscard]] std::optional<Packet> next();
     /// How many bytes the packet that has begun still lacks, 0 when none has, at least 1 while its size is unknown.

@@ -54,21 +54,6 @@ bool Updater::isBanner(const std::string &text) const
     return holds(text, m_settings.banner);
 }
 
-void Updater::enter(Step step)
-{
-    m_progress.part(static_cast<int>(step), PartState::Active);
-}
-
-void Updater::leaveStep(Step step)
-{
-    m_progress.part(static_cast<int>(step), PartState::Done);
-}
-
-void Updater::tell(const std::string &text)
-{
-    m_progress.log(Severity::Info, Message::verbatim("> " + text));
-}
-
 void Updater::heard(const std::string &text)
 {
     m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, Message::verbatim("< " + text));

@@ -27,11 +27,11 @@ private:
     [[nodiscard]] Result<void> judge(std::size_t index, const std::string &answer);
     [[nodiscard]] Task<void> leave();
     [[nodiscard]] Task<void> verify();
-    void tell(const std::string &text);
+    void tell(const std::string &text) { m_progress.log(Severity::Info, Message::verbatim("> " + text)); }
     void heard(const std::string &text);
     void resetBoard();
-    void enter(Step step);
-    void leaveStep(Step step);
+    void enter(Step step) { m_progress.part(static_cast<int>(step), PartState::Active); }
+    void leaveStep(Step step) { m_progress.part(static_cast<int>(step), PartState::Done); }
     void hearBoot();
     [[nodiscard]] bool isFailure(const std::string &text) const;
     [[nodiscard]] bool isBanner(const std::string &text) const;

@@ -84,16 +84,6 @@ Controller::~Controller()
 
 // Control
 
-bool Controller::offers(ParameterIndex index) const
-{
-    return m_settings.offers(index);
-}
-
-Result<void> Controller::check(const SetPoint &setPoint) const
-{
-    return m_motion.check(setPoint);
-}
-
 /// A node that follows this one would move too, unwatched, and one that takes answers for commands might.
 Result<void> Controller::doMayMove() const
 {
@@ -117,11 +107,6 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         return taken;
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
     return {};
-}
-
-Result<void> Controller::doReleaseMoves()
-{
-    return m_motion.release();
 }
 
 void Controller::doStop()

@@ -35,8 +35,8 @@ public:
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     Task<void> zeroPosition() override;
-    [[nodiscard]] bool offers(ParameterIndex index) const override;
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
+    [[nodiscard]] bool offers(ParameterIndex index) const override { return m_settings.offers(index); }
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return m_motion.check(setPoint); }
     [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     [[nodiscard]] StopScript stopScript() const override;
     [[nodiscard]] bool isSeenStopped() const override;
@@ -49,7 +49,7 @@ private:
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
-    Result<void> doReleaseMoves() override;
+    Result<void> doReleaseMoves() override { return m_motion.release(); }
     void doStop() override;
     void repeatStop() override { } // Motion repeats it until it is acknowledged
 

@@ -164,11 +164,6 @@ bool Line::isSilent()
     return true;
 }
 
-bool Line::stopWaits() const
-{
-    return !m_waiting.empty() && m_waiting.front().request.rank == Rank::Stop;
-}
-
 /// What they met on the line nobody knows; their answers were taken already.
 void Line::repeatStops()
 {

@@ -113,7 +113,7 @@ private:
     [[nodiscard]] bool keeps(const Frame &reply);
     void shortenTimeout();
     [[nodiscard]] bool isSilent();
-    [[nodiscard]] bool stopWaits() const;
+    [[nodiscard]] bool stopWaits() const { return !m_waiting.empty() && m_waiting.front().request.rank == Rank::Stop; }
     void repeatStops();
     void onBytes(std::span<const std::uint8_t> bytes);
     void onFrame(const Frame &frame);

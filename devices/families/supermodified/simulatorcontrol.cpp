@@ -20,11 +20,6 @@ std::int32_t wrapped(std::int64_t value)
 
 } // namespace
 
-void Control::restart()
-{
-    m_windup = m_settings.p > 0 ? 65535 / m_settings.p * 255 : 0;
-}
-
 void Control::clear()
 {
     m_sum = 0;

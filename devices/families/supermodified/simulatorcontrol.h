@@ -16,7 +16,7 @@ public:
     }
 
     /// The bound of the integral follows from the P of now.
-    void restart();
+    void restart() { m_windup = m_settings.p > 0 ? 65535 / m_settings.p * 255 : 0; }
     /// The bridge goes on or off.
     void clear();
     /// The set-point is held anew: what was stuck before does not count.

@@ -24,11 +24,6 @@ Drive::Drive(Dialect dialect, const MotorParameters &motor, double load, std::ui
 {
 }
 
-bool Drive::isResting() const
-{
-    return !m_on && m_encoder.motor().speed() == 0.0;
-}
-
 void Drive::restart(const LoopSettings &settings, Instant now)
 {
     m_settings = settings;

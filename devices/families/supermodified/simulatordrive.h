@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool isAboutToLoop(Instant now) const;
 
     [[nodiscard]] bool isOn() const { return m_on; }
-    [[nodiscard]] bool isResting() const;
+    [[nodiscard]] bool isResting() const { return !m_on && m_encoder.motor().speed() == 0.0; }
     [[nodiscard]] std::int64_t position() const { return m_encoder.ticks() - m_zero; }
     [[nodiscard]] std::int64_t setPoint() const { return m_profile.setPoint(); }
     /// Refreshed ten times a second, in what the firmware takes for ticks/s.
