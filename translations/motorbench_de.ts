@@ -1982,17 +1982,6 @@
     </message>
 </context>
 <context>
-    <name>mb::AxisRows</name>
-    <message>
-        <source>Axes</source>
-        <translation>Achsen</translation>
-    </message>
-    <message>
-        <source>Shows this axis in Parameters, Tune and Plots</source>
-        <translation>Zeigt diese Achse in Parameter, Regler und Kurven</translation>
-    </message>
-</context>
-<context>
     <name>mb::Banner</name>
     <message>
         <source>Dismiss</source>
@@ -7033,6 +7022,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>bus voltage not known</source>
         <translation>Busspannung unbekannt</translation>
     </message>
+    <message>
+        <source>Before start</source>
+        <translation>Vor dem Start</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>
@@ -11164,14 +11157,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>kein Gerät</translation>
     </message>
     <message>
-        <source>bus %1 V</source>
-        <translation>Bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>Busspannung unbekannt</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>%1 s je Seite, noch etwa %2 s</translation>
     </message>
@@ -11219,9 +11204,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1 has changed since it was opened and is read again; start the update once more</source>
         <translation>%1 hat sich seit dem Öffnen geändert und ist neu gelesen; das Update noch einmal starten</translation>
     </message>
-</context>
-<context>
-    <name>mb::UpdateChecks</name>
     <message>
         <source>Before start</source>
         <translation>Vor dem Start</translation>

@@ -1982,17 +1982,6 @@
     </message>
 </context>
 <context>
-    <name>mb::AxisRows</name>
-    <message>
-        <source>Axes</source>
-        <translation>Ejes</translation>
-    </message>
-    <message>
-        <source>Shows this axis in Parameters, Tune and Plots</source>
-        <translation>Muestra este eje en Parámetros, Ajuste y Gráficas</translation>
-    </message>
-</context>
-<context>
     <name>mb::Banner</name>
     <message>
         <source>Dismiss</source>
@@ -7033,6 +7022,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>bus voltage not known</source>
         <translation>tensión de bus desconocida</translation>
     </message>
+    <message>
+        <source>Before start</source>
+        <translation>Antes de empezar</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>
@@ -11164,14 +11157,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>ningún dispositivo</translation>
     </message>
     <message>
-        <source>bus %1 V</source>
-        <translation>bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>tensión de bus desconocida</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>%1 s por página, quedan unos %2 s</translation>
     </message>
@@ -11219,9 +11204,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1 has changed since it was opened and is read again; start the update once more</source>
         <translation>%1 ha cambiado desde que se abrió y se ha leído de nuevo; inicie la actualización otra vez</translation>
     </message>
-</context>
-<context>
-    <name>mb::UpdateChecks</name>
     <message>
         <source>Before start</source>
         <translation>Antes de empezar</translation>

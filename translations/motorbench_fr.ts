@@ -1982,17 +1982,6 @@
     </message>
 </context>
 <context>
-    <name>mb::AxisRows</name>
-    <message>
-        <source>Axes</source>
-        <translation>Axes</translation>
-    </message>
-    <message>
-        <source>Shows this axis in Parameters, Tune and Plots</source>
-        <translation>Affiche cet axe dans Paramètres, Réglage et Courbes</translation>
-    </message>
-</context>
-<context>
     <name>mb::Banner</name>
     <message>
         <source>Dismiss</source>
@@ -2725,7 +2714,7 @@
     </message>
     <message>
         <source>Samples are being written to %1. Cancel the export?</source>
-        <translation>Écriture des échantillons dans %1 en cours. Annuler l’export ?</translation>
+        <translation>Écriture des échantillons dans %1 en cours. Annuler l’export&#x202f;?</translation>
     </message>
     <message>
         <source>Nothing of it is kept then.</source>
@@ -2737,7 +2726,7 @@
     </message>
     <message>
         <source>The window closes once this has ended: %1</source>
-        <translation>La fenêtre se ferme dès que ceci est terminé : %1</translation>
+        <translation>La fenêtre se ferme dès que ceci est terminé&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7033,6 +7022,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>bus voltage not known</source>
         <translation>tension du bus inconnue</translation>
     </message>
+    <message>
+        <source>Before start</source>
+        <translation>Avant de démarrer</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>
@@ -11164,14 +11157,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>aucun appareil</translation>
     </message>
     <message>
-        <source>bus %1 V</source>
-        <translation>bus %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>tension du bus inconnue</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>%1 s par page, encore %2 s environ</translation>
     </message>
@@ -11219,9 +11204,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>%1 has changed since it was opened and is read again; start the update once more</source>
         <translation>%1 a changé depuis son ouverture et a été relu ; relancez la mise à jour</translation>
     </message>
-</context>
-<context>
-    <name>mb::UpdateChecks</name>
     <message>
         <source>Before start</source>
         <translation>Avant de démarrer</translation>

@@ -1981,17 +1981,6 @@
     </message>
 </context>
 <context>
-    <name>mb::AxisRows</name>
-    <message>
-        <source>Axes</source>
-        <translation>軸</translation>
-    </message>
-    <message>
-        <source>Shows this axis in Parameters, Tune and Plots</source>
-        <translation>この軸をパラメータ、調整、プロットに表示します</translation>
-    </message>
-</context>
-<context>
     <name>mb::Banner</name>
     <message>
         <source>Dismiss</source>
@@ -7023,6 +7012,10 @@ double click or End returns to the present · right click for more</source>
         <source>bus voltage not known</source>
         <translation>バス電圧不明</translation>
     </message>
+    <message>
+        <source>Before start</source>
+        <translation>開始前の確認</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>
@@ -11147,14 +11140,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>機器なし</translation>
     </message>
     <message>
-        <source>bus %1 V</source>
-        <translation>バス %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>バス電圧不明</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>1 ページ %1 s、残り約 %2 s</translation>
     </message>
@@ -11202,9 +11187,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has changed since it was opened and is read again; start the update once more</source>
         <translation>%1 は開いた後に変更されたため読み直しました。もう一度更新を開始してください</translation>
     </message>
-</context>
-<context>
-    <name>mb::UpdateChecks</name>
     <message>
         <source>Before start</source>
         <translation>開始前の確認</translation>

@@ -1981,17 +1981,6 @@
     </message>
 </context>
 <context>
-    <name>mb::AxisRows</name>
-    <message>
-        <source>Axes</source>
-        <translation>轴</translation>
-    </message>
-    <message>
-        <source>Shows this axis in Parameters, Tune and Plots</source>
-        <translation>在“参数”、“整定”和“曲线图”中显示此轴</translation>
-    </message>
-</context>
-<context>
     <name>mb::Banner</name>
     <message>
         <source>Dismiss</source>
@@ -7023,6 +7012,10 @@ double click or End returns to the present · right click for more</source>
         <source>bus voltage not known</source>
         <translation>总线电压未知</translation>
     </message>
+    <message>
+        <source>Before start</source>
+        <translation>开始之前</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueHead</name>
@@ -11147,14 +11140,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>无设备</translation>
     </message>
     <message>
-        <source>bus %1 V</source>
-        <translation>总线 %1 V</translation>
-    </message>
-    <message>
-        <source>bus voltage not known</source>
-        <translation>总线电压未知</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>每页 %1 s，剩余约 %2 s</translation>
     </message>
@@ -11202,9 +11187,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 has changed since it was opened and is read again; start the update once more</source>
         <translation>%1 在打开后已更改，现已重新读取；请再次开始更新</translation>
     </message>
-</context>
-<context>
-    <name>mb::UpdateChecks</name>
     <message>
         <source>Before start</source>
         <translation>开始之前</translation>
