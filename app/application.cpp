@@ -186,6 +186,7 @@ Application::Application(QApplication &qt, const Options &options)
                 followLook();
         },
         Qt::QueuedConnection); // the window that hears of it is made anew
+    openLimits();
     makeWindow();
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
@@ -325,14 +326,19 @@ void Application::setUpPlots()
     });
 }
 
-/// What people have entered outlives the program; both pages that move motors go by it.
+/// What people have entered outlives the program, and what cannot be written the window.
+void Application::openLimits()
+{
+    if (m_options.demo)
+        return;
+    const auto opened = m_limits.open(QString::fromStdString(settingsFolder() + "/limits.json"));
+    if (!opened)
+        m_engine->report(Severity::Caution, {}, errorText(opened.error()));
+}
+
+/// Both pages that move motors go by the same limits.
 void Application::setUpLimits()
 {
-    if (!m_options.demo) {
-        const auto opened = m_limits.open(QString::fromStdString(settingsFolder() + "/limits.json"));
-        if (!opened)
-            m_engine->report(Severity::Caution, {}, errorText(opened.error()));
-    }
     QObject::connect(&m_limits, &EnvelopeBook::failed, m_window.get(), [this](const QString &cause) {
         m_engine->report(Severity::Caution, {}, MainWindow::tr("the limits were not kept: %1").arg(cause));
     });

@@ -70,6 +70,7 @@ private:
     void makeWindow();
     void keepJournal();
     void setUpPlots();
+    void openLimits();
     void setUpLimits();
     void setUpStart();
     void followLook();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -84,8 +85,10 @@ void StopLane::proceed()
         m_due.start(Instant(*next), [this] { proceed(); });
 }
 
-std::vector<guardian::Script> laneScripts(const StopScript &script, Outlet::Form form)
+std::vector<guardian::Script> laneScripts(StopScript script, Outlet::Form form, StopCause cause)
 {
+    if (cause != StopCause::User)
+        std::erase_if(script.steps, [](const StopStep &step) { return step.forAll; });
     guardian::Script steps = wireScript(script, form);
     if (form == Outlet::Form::Stream) {
         for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -113,11 +116,10 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
         for (Device *device : session.devices()) {
             if (&device->link() != link || !device->mayStop())
                 continue;
-            for (guardian::Script &script : laneScripts(device->stopScript(), way.form)) {
-                if (device->stopping().hasMoved())
-                    orders.own.push_back(script);
-                orders.scripts.push_back(std::move(script));
-            }
+            const StopScript script = device->stopScript();
+            std::ranges::move(laneScripts(script, way.form), std::back_inserter(orders.scripts));
+            if (device->stopping().hasMoved())
+                std::ranges::move(laneScripts(script, way.form, StopCause::Program), std::back_inserter(orders.own));
         }
         const auto served
             = std::ranges::find_if(known, [&](const StopOrders &other) { return other.outlet->serves(*link, way); });

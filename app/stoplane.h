@@ -33,8 +33,9 @@ private:
 };
 
 /// How the stop of one device is sent without its answers: whole on a terminal, where a message may fall into an answer; elsewhere
-/// no step waits for another.
-[[nodiscard]] std::vector<guardian::Script> laneScripts(const StopScript &script, Outlet::Form form);
+/// no step waits for another. What is not a user's leaves out what others obey too (StopStep::forAll).
+[[nodiscard]] std::vector<guardian::Script> laneScripts(
+    StopScript script, Outlet::Form form, StopCause cause = StopCause::User);
 
 /// What is to be sent on one link: laneScripts() of its devices.
 struct StopOrders {

@@ -2658,7 +2658,7 @@
         <translation>erst noch einmal ansehen</translation>
     </message>
     <message>
-        <source>Write the staged changes  Shift+F5</source>
+        <source>Write the staged changes  Ctrl+Shift+W</source>
         <translation>Vorgemerkte Änderungen schreiben  Umschalt+F5</translation>
     </message>
 </context>
@@ -5772,7 +5772,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
         <translation>↑↓ Zeile · Enter ändern · Umschalt+F5 schreiben</translation>
     </message>
 </context>

@@ -2658,7 +2658,7 @@
         <translation>Escribir %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Shift+F5</source>
+        <source>Write the staged changes  Ctrl+Shift+W</source>
         <translation>Escribir los cambios pendientes  Mayús+F5</translation>
     </message>
 </context>
@@ -5772,7 +5772,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
         <translation>↑↓ fila · Intro editar · Mayús+F5 escribir</translation>
     </message>
 </context>

@@ -2658,7 +2658,7 @@
         <translation>Écrire %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Shift+F5</source>
+        <source>Write the staged changes  Ctrl+Shift+W</source>
         <translation>Écrire les modifications en attente  Maj+F5</translation>
     </message>
 </context>
@@ -5772,7 +5772,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Shift+F5 write</source>
+        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
         <translation>↑↓ ligne · Entrée modifier · Maj+F5 écrire</translation>
     </message>
 </context>

@@ -2656,8 +2656,8 @@
         <translation>%1 を書込み</translation>
     </message>
     <message>
-        <source>Write the staged changes  Shift+F5</source>
-        <translation>書込み待ちの変更を書込み  Shift+F5</translation>
+        <source>Write the staged changes  Ctrl+Shift+W</source>
+        <translation>書込み待ちの変更を書込み  Ctrl+Shift+W</translation>
     </message>
 </context>
 <context>
@@ -5764,8 +5764,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Shift+F5 write</source>
-        <translation>↑↓ 行 · Enter 編集 · Shift+F5 書込み</translation>
+        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
+        <translation>↑↓ 行 · Enter 編集 · Ctrl+Shift+W 書込み</translation>
     </message>
 </context>
 <context>

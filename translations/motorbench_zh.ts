@@ -2656,8 +2656,8 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Shift+F5</source>
-        <translation>写入暂存的更改  Shift+F5</translation>
+        <source>Write the staged changes  Ctrl+Shift+W</source>
+        <translation>写入暂存的更改  Ctrl+Shift+W</translation>
     </message>
 </context>
 <context>
@@ -5764,8 +5764,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Shift+F5 write</source>
-        <translation>↑↓ 换行 · Enter 编辑 · Shift+F5 写入</translation>
+        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
+        <translation>↑↓ 换行 · Enter 编辑 · Ctrl+Shift+W 写入</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,8 @@ using tuning::Trial;
 template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
 {
     const auto held = std::move(interruption);
-    co_return co_await std::move(story).attempt();
+    auto running = std::move(story);
+    co_return co_await std::move(running).attempt();
 }
 
 /// With a snapshot before it, and what it has replaced in the history.

@@ -39,7 +39,8 @@ public:
 };
 
 /// Carries out stop scripts on one line, taking turns after each attempt, so that a device that is silent does not hold up the
-/// others. What several have to say at once, and nobody answers, such as a stop for all, is said once. Waiting for an answer keeps the line: half-duplex buses know one request at a time. Pure: the caller brings the time.
+/// others. What several have to say at once, and nobody answers, such as a stop for all, is said once. Waiting for an answer keeps
+/// the line: half-duplex buses know one request at a time. Pure: the caller brings the time.
 class Runner {
 public:
     struct Outcome {

@@ -26,6 +26,7 @@ struct StopStep {
     int attempts = 1;                     ///< 1 … 100
     std::optional<CanFrame> replyFrame{}; ///< on a CAN link: identifier and length of the answer, whatever is in it
     std::chrono::milliseconds taken{};    ///< of a half-duplex line by the answer, for who does not hear it; 0: `wait`
+    bool forAll = false;                  ///< every device of the link obeys it, those that others drive too
 };
 
 /// Stops one device without knowing anything of it. Data, so that a process that outlives this one can carry it out; it may

@@ -33,11 +33,12 @@ Result<Visit> ServiceBook::put(Visit visit, bool isNew)
     for (service::StepEntry &entry : visit.steps)
         entry.time = entry.time > 0.0 ? entry.time : now();
     auto kept = m_database.transact([&]() -> Result<void> {
-        if (isNew) {
-            auto begun = m_database.run(
-                "INSERT OR REPLACE INTO service_run (run, program) VALUES (?, ?)", {qt(visit.run), qt(thisProgram())});
-            return begun ? putVisit(m_database, {visit, 1}) : begun;
-        }
+        const auto inHand = m_database.run(
+            "INSERT OR REPLACE INTO service_run (run, program) VALUES (?, ?)", {qt(visit.run), qt(thisProgram())});
+        if (!inHand)
+            return fail(inHand.error());
+        if (isNew)
+            return putVisit(m_database, {visit, 1});
         const auto known = getVisit(m_database, visit.id);
         if (!known)
             return fail(known.error());

@@ -164,7 +164,7 @@ Task<std::optional<int>> SharedJournal::number(NumberWish wish)
         if (*given)
             co_return *given;
     }
-    if (const std::optional<int> known = co_await recalled(wish, local.scope))
+    if (const std::optional<int> known = co_await recalled(wish, local.scope); known)
         co_return *known;
     for (;;) {
         const auto given = giveNumber(sql, local);

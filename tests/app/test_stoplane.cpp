@@ -169,6 +169,7 @@ protected:
         EXPECT_EQ(running(), 4);
         for (const auto &device : devices)
             scripts.push_back(laneScripts(device->stopScript(), Outlet::Form::Stream).front());
+        const StopScript ofFirst = devices.front()->stopScript();
         bench.host.close(); // the engine hangs, and sends nothing any more
         devices.clear();
         EXPECT_TRUE(bench.host.open());
@@ -177,7 +178,8 @@ protected:
             times.push_back(bench.clock.now());
             return bench.host.send(bytes).has_value();
         };
-        lane.setOrders({{std::make_shared<StopOutlet>(bench.host, way), scripts}});
+        lane.setOrders({{std::make_shared<StopOutlet>(bench.host, way), scripts,
+            laneScripts(ofFirst, Outlet::Form::Stream, StopCause::Program)}});
     }
     [[nodiscard]] int running() const
     {
@@ -197,6 +199,14 @@ TEST_F(LaneOnOneWire, StopsAllNodesWithinTwentyMilliseconds)
     lane.press();
     bench.clock.advance(20ms);
     EXPECT_EQ(running(), 0);
+}
+
+TEST_F(LaneOnOneWire, StopsForAnotherCauseOnlyWhatThisProgramHasMoved)
+{
+    lane.press(StopCause::Program);
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(nodes.front()->isOutputOn());
+    EXPECT_EQ(running(), 3);
 }
 
 /// With its own bytes in the answers that it asks for it would hang the nodes that run, and stop none behind the first.

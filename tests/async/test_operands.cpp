@@ -118,6 +118,25 @@ Task<void> attemptAll(Ground &ground)
     co_return {};
 }
 
+Result<std::string> textOf(const Ground &ground, const std::string &text, Counted counted)
+{
+    (void)counted;
+    if (ground.end == End::FailsInline || ground.end == End::FailsLater)
+        return fail(Fault::Refused, say("now"));
+    return text;
+}
+
+Task<std::string> awaitResults(Ground &ground)
+{
+    const Counted kept(ground.alive);
+    if (ground.end == End::Later || ground.end == End::FailsLater)
+        co_await Sleep(ground.clock, 1ms);
+    const std::string text = co_await textOf(ground, "text that is longer than what a string keeps in itself", kept);
+    if (const std::string again = co_await textOf(ground, text, Counted(ground.alive)); again != text)
+        co_return "another";
+    co_return co_await textOf(ground, "the last, longer than what a string keeps in itself", Counted(ground.alive));
+}
+
 Task<int> oneLess(Ground &ground, int from)
 {
     (void)co_await finish(ground, "a step that is longer than what a string keeps in itself");
@@ -177,6 +196,19 @@ TEST_P(Operand, ThatIsAnAttemptDestroysItsArgumentsOnce)
     m_ground.clock.advance(1s);
     ASSERT_TRUE(asking.isFinished());
     EXPECT_EQ(GetParam() == End::Inline || GetParam() == End::Later, asking.result().has_value());
+}
+
+TEST_P(Operand, ThatIsAResultYieldsItsValueOrEndsTheCaller)
+{
+    Task<std::string> asking = awaitResults(m_ground);
+    asking.start();
+    m_ground.clock.advance(1s);
+    ASSERT_TRUE(asking.isFinished());
+    const bool fails = GetParam() == End::FailsInline || GetParam() == End::FailsLater;
+    EXPECT_EQ(asking.result().value_or("fault").substr(0, 8), fails ? "fault" : "the last");
+    if (fails) {
+        EXPECT_EQ(asking.result().error().fault, Fault::Refused);
+    }
 }
 
 TEST_P(Operand, ThatIsCancelledAnywhereDestroysItsArgumentsOnce)

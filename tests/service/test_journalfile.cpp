@@ -61,7 +61,7 @@ TEST_F(JournalFiles, TheLastRunIsTheOneThatWasWrittenDownLastWhateverTheClockSai
 
 TEST_F(JournalFiles, ARunOfAProgramThatStillRunsIsNotThereToBeResumed)
 {
-    (void)opened(*books.journal, "a");
+    const Visit visit = opened(*books.journal, "a");
     EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "run") << "this program may";
     ASSERT_TRUE(
         books.database->run("UPDATE service_run SET program = ?", {qt(programOf(std::to_string(::getppid())))}));
@@ -70,6 +70,10 @@ TEST_F(JournalFiles, ARunOfAProgramThatStillRunsIsNotThereToBeResumed)
     EXPECT_EQ(living.error().fault, Fault::Refused);
     ASSERT_TRUE(books.database->run("UPDATE service_run SET program = '1:2'"));
     EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "run") << "that one has ended";
+    ASSERT_TRUE(test::run(clock, books.journal->write(visit)));
+    ASSERT_TRUE(books.database->run(
+        "UPDATE service_run SET program = ? WHERE program = '1:2'", {qt(programOf(std::to_string(::getppid())))}));
+    EXPECT_EQ(books.journal->lastRun("rev C", false).value_or("none"), "run") << "who goes on with it has it in hand";
 }
 
 TEST_F(JournalFiles, ANoteThatIsMadeWhileAnotherProgramWritesTheEntryKeepsItAndIsKept)

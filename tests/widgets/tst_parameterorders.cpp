@@ -29,7 +29,7 @@ void TestParameterOrders::writeSendsExactlyWhatIsStaged()
     bench.stage("current_limit.peak", "80");
     bench.stage("slot1.i", "3");
     bench.edits().setIncluded(named("slot1.i"), false);
-    QTest::keyClick(bench.page.get(), Qt::Key_F5, Qt::ShiftModifier);
+    QTest::keyClick(bench.page.get(), Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
     const auto calls = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(calls.size(), std::size_t{1});
     QVERIFY(calls[0].device == DeviceId{1});
@@ -49,7 +49,7 @@ void TestParameterOrders::undoTakesBackWhatIsStagedBeforeWhatWasWritten()
         bench.stage(leftComesFirst ? "slot1.i" : "slot0.p", leftComesFirst ? "3" : "2");
         bench.stage(leftComesFirst ? "slot0.p" : "slot1.i", leftComesFirst ? "2" : "3");
         bench.edits().setIncluded(named("slot1.i"), false);
-        QTest::keyClick(bench.page.get(), Qt::Key_F5, Qt::ShiftModifier);
+        QTest::keyClick(bench.page.get(), Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
         const auto written = bench.workbench.given<orders::WriteParameters>();
         QCOMPARE(written.size(), std::size_t{1});
         bench.stage("slot1.p", "4"); // between the order and its answer
@@ -81,7 +81,7 @@ void TestParameterOrders::writeIsRefusedWhileAnErrorIsStaged()
     ParameterBench bench;
     bench.stage("slot1.p", "2");
     bench.stage("slot1.max_forward", "40000");
-    QTest::keyClick(bench.page.get(), Qt::Key_F5, Qt::ShiftModifier);
+    QTest::keyClick(bench.page.get(), Qt::Key_W, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     const auto *writing = bench.page->findChild<QAbstractButton *>(QStringLiteral("writeButton"));
     QVERIFY(!writing->isEnabled());

@@ -17,6 +17,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFile>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void initTestCase();
     void enterOpensTypesAndCommits();
     void aDigitStartsEditing();
+    void f2IsTheTablesWhereItHasTheFocus();
     void escapeKeepsTheOldValue();
     void tabGoesToTheNextField();
     void enterSwitchesWhatIsOnOrOff();
@@ -186,6 +188,15 @@ void TestParametersPage::aDigitStartsEditing()
     QVERIFY(field(bench));
     QTest::keyClick(field(bench), Qt::Key_2);
     QCOMPARE(field(bench)->text(), QStringLiteral("42"));
+}
+
+void TestParametersPage::f2IsTheTablesWhereItHasTheFocus()
+{
+    ParameterBench bench;
+    QKeyEvent announced(QEvent::ShortcutOverride, Qt::Key_F2, Qt::NoModifier);
+    announced.ignore();
+    QApplication::sendEvent(&bench.page->view(), &announced);
+    QVERIFY(announced.isAccepted()); // no shortcut of the window takes it
 }
 
 void TestParametersPage::escapeKeepsTheOldValue()

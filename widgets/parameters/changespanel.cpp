@@ -239,10 +239,10 @@ void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *opera
     const int count = m_model.edits() ? static_cast<int>(m_model.edits()->toWrite().size()) : 0;
     m_write->setText(count > 0 ? tr("Write %1").arg(count) : tr("Write"));
     m_write->setEnabled(why.isEmpty());
-    m_write->setKeyHint(why.isEmpty() ? QStringLiteral("Shift+F5")
+    m_write->setKeyHint(why.isEmpty() ? QStringLiteral("Ctrl+Shift+W")
             : count > 0               ? QStringLiteral("· ") + why
                                       : QString());
-    m_write->setToolTip(why.isEmpty() ? tr("Write the staged changes  Shift+F5") : why);
+    m_write->setToolTip(why.isEmpty() ? tr("Write the staged changes  Ctrl+Shift+W") : why);
     m_write->setAccessibleName(why.isEmpty() ? m_write->text() : m_write->text() + QStringLiteral(", ") + why);
     m_discard->setEnabled(m_model.edits() && m_model.edits()->count() > 0);
 }

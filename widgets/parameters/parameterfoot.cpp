@@ -53,7 +53,7 @@ void ParameterFoot::buildLegend()
         row->addWidget(count->box);
     }
     row->addSpring();
-    auto *keys = new QLabel(tr("↑↓ row · Enter edit · Shift+F5 write"), m_legend);
+    auto *keys = new QLabel(tr("↑↓ row · Enter edit · Ctrl+Shift+W write"), m_legend);
     setTextRole(*keys, TextRole::Caption);
     setTone(*keys, Tone::Faint);
     row->addWidget(keys);

@@ -153,7 +153,7 @@ void ParametersPage::buildKeys()
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("reads all parameters"), [this] { readAll(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] { m_tools->search(); });
-    keys->add({QKeySequence(QStringLiteral("Shift+F5"))}, tr("writes what is staged"), [this] { write(); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+W"))}, tr("writes what is staged"), [this] { write(); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
         [this] { undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},

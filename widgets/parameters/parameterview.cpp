@@ -322,6 +322,15 @@ void ParameterView::activateRow(const QModelIndex &index)
         edit(m_model.indexOf(which), AllEditTriggers, nullptr);
 }
 
+bool ParameterView::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent *>(event)->key() == Qt::Key_F2) {
+        event->accept();
+        return true;
+    }
+    return QTreeView::event(event);
+}
+
 void ParameterView::keyPressEvent(QKeyEvent *event)
 {
     const auto which = currentParameter();

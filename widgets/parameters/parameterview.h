@@ -38,6 +38,8 @@ Q_SIGNALS:
     void retryRequested();
 
 protected:
+    /// F2 edits a row, wherever else it renames.
+    bool event(QEvent *event) override;
     void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override;
     void drawBranches(QPainter *, const QRect &, const QModelIndex &) const override { }
     void keyPressEvent(QKeyEvent *event) override;

@@ -105,7 +105,7 @@ Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
             co_return Found{today, dialect};
     }
     if (mayBeLegacy) {
-        if (const Dialect *dialect = co_await tellLegacy(prober, legacy))
+        if (const Dialect *dialect = co_await tellLegacy(prober, legacy); dialect)
             co_return Found{legacy, dialect};
     }
     if (today >= 0 && mayBeLegacy)

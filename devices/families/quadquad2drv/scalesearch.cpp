@@ -74,7 +74,7 @@ Task<void> ScaleSearch::measureAll()
     auto positionIs = findPositionI();
     found(calibration::positionI, co_await std::move(positionIs));
     step(say("looking for position D"));
-    if (const std::optional<double> scale = co_await findPositionD())
+    if (const std::optional<double> scale = co_await findPositionD(); scale)
         found(calibration::positionD, *scale);
     else
         m_progress.log(

@@ -144,6 +144,7 @@ StopScript Controller::stopScript() const
     StopStep everybody;
     everybody.bytes = uartBytes(request(broadcastId, host, Command::GlobalStop));
     everybody.wait = legal(onWire(frameOverhead));
+    everybody.forAll = true;
     StopStep step;
     step.bytes = uartBytes(request(m_node.id, host, Command::Stop));
     step.reply = uartBytes(request(host, m_node.id, Command::Stop));
