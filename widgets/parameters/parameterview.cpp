@@ -275,13 +275,6 @@ void ParameterView::resizeEvent(QResizeEvent *event)
     fitColumns();
 }
 
-void ParameterView::changeEvent(QEvent *event)
-{
-    QTreeView::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        fitColumns();
-}
-
 void ParameterView::drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     const QRect row(0, option.rect.top(), viewport()->width(), option.rect.height());
@@ -328,7 +321,10 @@ bool ParameterView::event(QEvent *event)
         event->accept();
         return true;
     }
-    return QTreeView::event(event);
+    const bool isTaken = QTreeView::event(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        fitColumns();
+    return isTaken;
 }
 
 void ParameterView::keyPressEvent(QKeyEvent *event)
