@@ -121,14 +121,18 @@ void LogPage::buildTable()
     m_states->addWidget(m_table);
     static_cast<QVBoxLayout *>(layout())->addWidget(m_states, 1);
     const auto show = [this] { m_states->setCurrentIndex(m_model->rowCount() > 0 ? 1 : 0); };
-    connect(m_model, &QAbstractItemModel::rowsInserted, this, show);
     const QScrollBar *const bar = m_table->verticalScrollBar();
     connect(bar, &QScrollBar::valueChanged, this, [this, bar](int value) {
         m_follows = value == bar->maximum(); // else somebody reads what was before
     });
-    connect(bar, &QScrollBar::rangeChanged, this, [this] {
+    const auto follow = [this] {
         if (m_follows)
             m_table->scrollToBottom();
+    };
+    connect(bar, &QScrollBar::rangeChanged, this, follow);
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, [show, follow] {
+        show();
+        follow();
     });
     const auto apply = [this, filter] {
         constexpr std::array least{Severity::Info, Severity::Caution, Severity::Danger};
