@@ -17,6 +17,24 @@ JUNIT = ('<testsuite><testcase name="a" status="run"><system-out>[  PASSED  ] 5 
          '<testcase name="b" status="{status}">{inside}<system-out>{output}</system-out></testcase></testsuite>')
 
 
+def terminated(process):
+    """What it has printed until it ended. It is told each second: bash overlooks what comes just before it begins to wait."""
+    ended = threading.Event()
+
+    def terminate():
+        while not ended.wait(1):
+            process.terminate()
+
+    process.terminate()
+    again = threading.Thread(target=terminate)
+    again.start()
+    try:
+        return process.communicate(timeout=60)[0]
+    finally:
+        ended.set()
+        again.join()
+
+
 class Place(unittest.TestCase):
     """A folder for each test, with programs that stand in for the real ones."""
 
@@ -349,20 +367,7 @@ class Beside(Place):
     def test_a_script_that_is_ended_leaves_nothing_behind(self):
         with subprocess.Popen(**self.command(self.script("beside some begun 600 0; all_beside"))) as process:
             self.assertEqual(process.stdout.readline(), "begun\n")
-            ended = threading.Event()
-
-            def terminate():  # bash overlooks one that comes just before it begins to wait
-                while not ended.wait(1):
-                    process.terminate()
-
-            process.terminate()
-            again = threading.Thread(target=terminate)
-            again.start()
-            try:
-                self.assertEqual(process.communicate(timeout=60)[0], "")
-            finally:
-                ended.set()
-                again.join()
+            self.assertEqual(terminated(process), "")
         self.assertEqual(process.returncode, 143)
 
 
@@ -390,8 +395,7 @@ class CanKernel(Place):
     def test_when_it_is_ended_so_is_the_command(self):
         with self.start("bash", "-c", "echo begun; sleep 600") as process:
             self.assertEqual(process.stdout.readline(), "begun\n")
-            process.terminate()
-            process.communicate(timeout=60)
+            terminated(process)
         self.assertEqual((process.returncode, list(self.place.iterdir())), (143, []))
 
     def test_the_command_hears_an_interrupt(self):
