@@ -52,6 +52,23 @@ inline DeviceView readDrive(std::uint32_t id = 1, int address = 5)
     return device;
 }
 
+/// The same on a link, with telemetry of its own.
+inline DeviceView driveAt(std::uint32_t id, int address, const char *link)
+{
+    DeviceView device = readDrive(id, address);
+    device.link = link;
+    device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+    return device;
+}
+
+inline void addLink(Snapshot &shot, const char *address)
+{
+    LinkView link;
+    link.address = address;
+    link.name = address;
+    shot.links.push_back(link);
+}
+
 /// A page over a workbench with one drive that was read, shown.
 struct ParameterBench {
     FakeWorkbench workbench;

@@ -27,22 +27,6 @@ private Q_SLOTS:
 
 namespace {
 
-DeviceView unitAt(std::uint32_t id, int address, const char *link)
-{
-    DeviceView device = readDrive(id, address);
-    device.link = link;
-    device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
-    return device;
-}
-
-void addTreeLink(Snapshot &shot, const char *address)
-{
-    LinkView link;
-    link.address = address;
-    link.name = address;
-    shot.links.push_back(link);
-}
-
 /// The tree over three units of one link, of which one is selected.
 struct TreeBench {
     FakeWorkbench workbench;
@@ -53,8 +37,8 @@ struct TreeBench {
 
     explicit TreeBench(DeviceId selected)
     {
-        addTreeLink(workbench.shot, "can0");
-        workbench.shot.devices = {unitAt(1, 5, "can0"), unitAt(2, 7, "can0"), unitAt(3, 63, "can0")};
+        addLink(workbench.shot, "can0");
+        workbench.shot.devices = {driveAt(1, 5, "can0"), driveAt(2, 7, "can0"), driveAt(3, 63, "can0")};
         selection.select(selected);
         tree = std::make_unique<DeviceTree>(workbench, selection, theme);
         tree->resize(240, 600);
@@ -134,7 +118,7 @@ void DeviceTreeTest::whatTheProgramHasChosenIsNoChoiceOfSomebody()
 void DeviceTreeTest::theMenuOfALinkIsOfThatLink()
 {
     TreeBench bench({1});
-    addTreeLink(bench.workbench.shot, "can1");
+    addLink(bench.workbench.shot, "can1");
     bench.workbench.publish();
     std::swap(bench.workbench.shot.links[0], bench.workbench.shot.links[1]); // closed and opened anew
     bench.workbench.publish();

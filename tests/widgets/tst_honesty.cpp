@@ -55,22 +55,6 @@ public:
     using NumberTicker::getTickStep;
 };
 
-DeviceView driveAt(std::uint32_t id, int address, const char *link)
-{
-    DeviceView device = readDrive(id, address);
-    device.link = link;
-    device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
-    return device;
-}
-
-void addLink(Snapshot &shot, const char *address)
-{
-    LinkView link;
-    link.address = address;
-    link.name = address;
-    shot.links.push_back(link);
-}
-
 } // namespace
 
 void HonestyTest::noiseDoesNotFillTheStrip()

@@ -18,16 +18,27 @@ private Q_SLOTS:
     void framesOfARecordingAreCopiedWithItsTimesHoweverLongTheComputerSlept();
 };
 
-void SleepTest::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
+namespace {
+
+/// A second before the computer sleeps for so long, and one after it; yields the last moment before.
+Instant passOverASleep(PlotBench &bench, Duration sleep)
 {
-    PlotBench bench;
-    const QTemporaryDir folder;
     bench.workbench.slept.look(bench.workbench.time, {});
     bench.pass(1.0, 60000.0);
     bench.workbench.slept.look(bench.workbench.time, {});
     const Instant before = bench.workbench.time;
-    bench.workbench.slept.look(bench.workbench.time + 1ms, 3600s);
+    bench.workbench.slept.look(bench.workbench.time + 1ms, sleep);
     bench.pass(1.0, 60000.0);
+    return before;
+}
+
+} // namespace
+
+void SleepTest::anExportHasTheTimesOfBeforeAndAfterTheComputerSlept()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    const Instant before = passOverASleep(bench, 3600s);
     const Instant after = bench.workbench.time;
     bench.page->exportBar().exportSamples({std::nullopt, false, folder.filePath(s("a.mcap"))});
     QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
@@ -41,12 +52,7 @@ void SleepTest::axisAndTableHaveTheTimesOfBeforeAndAfterTheComputerSlept()
 {
     PlotBench bench;
     const QTemporaryDir folder;
-    bench.workbench.slept.look(bench.workbench.time, {});
-    bench.pass(1.0, 60000.0);
-    bench.workbench.slept.look(bench.workbench.time, {});
-    const double before = plotKey(bench.workbench.time);
-    bench.workbench.slept.look(bench.workbench.time + 1ms, 600s);
-    bench.pass(1.0, 60000.0);
+    const double before = plotKey(passOverASleep(bench, 600s));
     bench.stack().view().setRange(before - 0.5, before + 0.5);
     QVERIFY(bench.stack().exporter().exportTo(folder.filePath(s("a.csv"))));
     QFile file(folder.filePath(s("a.csv")));
