@@ -132,9 +132,8 @@ Task<void> readAll(Console &console, QFile &file, LogReader reader, bool prints)
 Task<int> decodeFile(Console &console, QFile &file, std::string dialect)
 {
     const std::string name = file.fileName().toStdString();
-    for (const bool prints : {false, true}) {
+    for (const bool prints : {false, true})
         co_await readAll(console, file, LogReader(console, name, dialect), prints);
-    }
     co_return exitDone;
 }
 

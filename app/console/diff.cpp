@@ -135,9 +135,8 @@ Task<void> gather(Console &console, std::array<Part, 2> &parts, Notebook &notebo
     if (auto alike = areAlike(parts); !alike)
         co_return alike;
     for (Part &part : parts) {
-        if (part.named.kind == Kind::Device) {
+        if (part.named.kind == Kind::Device)
             co_await readDevice(console, part);
-        }
     }
     for (Part &part : parts) {
         const Part &other = &part == parts.data() ? parts[1] : parts[0];
@@ -165,9 +164,8 @@ Task<int> diff(Console &console, std::string a, std::string b)
     co_await gather(console, parts, notebook);
     co_await areAlike(parts);
     const Family *const family = parts[0].family ? parts[0].family : parts[1].family;
-    for (Part &part : parts) {
+    for (Part &part : parts)
         co_await settle(part, *family);
-    }
     const std::vector<SideDifference> differences = settings::compare(*parts[0].side, *parts[1].side);
     show(console, *family, differences);
     co_return differences.empty() ? exitDone : exitDevice;

@@ -53,9 +53,8 @@ Task<int> identify(Console &console, IdentifyArguments arguments)
     const auto axis = arguments.axis.empty() ? Result<int>(1) : parseInteger("--axis", arguments.axis, 1, can.axes);
     if (!axis)
         co_return fail(axis.error());
-    if (!can.identify) {
+    if (!can.identify)
         co_await mayNudge(console, target, arguments);
-    }
     Device *const device = co_await connect(console, target);
     std::string shown = "blinks";
     if (can.identify) {

@@ -72,9 +72,8 @@ bool areAllTold(const Device &device)
 Task<void> awaitStates(Console &console, const Device &device)
 {
     const Instant limit = console.clock().now() + statesLimit;
-    while (!areAllTold(device) && console.clock().now() < limit && device.link().state() == LinkState::Open) {
+    while (!areAllTold(device) && console.clock().now() < limit && device.link().state() == LinkState::Open)
         co_await Sleep(console.clock(), lookEvery);
-    }
     co_return {};
 }
 
@@ -270,16 +269,14 @@ Task<int> info(Console &console, FactsArguments arguments)
     Device *const device = co_await connect(console, target);
     co_await keep(console, *device, kept);
     const bool recorded = device->link().address().isRecording(); // then there is nobody to ask
-    if (!recorded) {
+    if (!recorded)
         co_await device->refresh();
-    }
     Faults faults;
     if (!recorded && device->identity().state != DeviceState::Bootloader) {
         faults = co_await device->readFaults();
     }
-    if (!recorded && device->identity().state == DeviceState::Online) {
+    if (!recorded && device->identity().state == DeviceState::Online)
         co_await awaitStates(console, *device);
-    }
     const std::vector<std::string> owed = co_await owedTo(console, *device);
     device->link().recount();
     const std::string name = UnitNames(console).of(*device);

@@ -198,8 +198,7 @@ Task<int> restore(Console &console, RestoreArguments arguments)
     Notebook notebook(console);
     if (source && !file) {
         const std::string unit = unitKeyOf(*device);
-        auto loaded = co_await parsed(arguments.file, loadSettings(*source, &notebook, unit), *target.family);
-        file = std::move(loaded);
+        file = co_await parsed(arguments.file, loadSettings(*source, &notebook, unit), *target.family);
         co_await mayPutBack(console, *device, *notebook.settings(), *source, arguments);
     }
     console.begin();

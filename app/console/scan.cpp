@@ -210,8 +210,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
             console.note("no CAN interface is up; 'motorbenchctl links' lists what there is, 'motorbenchctl scan sim:' "
                          "finds simulated devices");
     } else {
-        auto named = co_await openNamed(console, names);
-        opened = std::move(named);
+        opened = co_await openNamed(console, names);
     }
     auto round = std::make_unique<Round>(console, everything ? ScanExtent::Everything : ScanExtent::Quick);
     round->start(opened.links);

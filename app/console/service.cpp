@@ -228,8 +228,7 @@ Task<int> serve(Console &console, ServiceArguments a)
     options.station = station;
     options.units = plan.units;
     if (a.resume) {
-        const auto last = co_await runToResume(desk->book(), plan);
-        options.run = last;
+        options.run = co_await runToResume(desk->book(), plan);
         if (options.run.empty())
             console.note("there is nothing to resume: this station has not run this recipe yet");
     }

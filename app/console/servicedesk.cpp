@@ -87,9 +87,8 @@ Task<void> SpokenPermit::beforeMotion(const Device &device, const service::SelfT
     m_console.note(device.selector() + ": the motor turns" + (device.link().address().isSimulated() ? "" : " in 3 s")
         + ": " + std::string(toString(test.loop)) + " to " + numberText(test.to) + ' ' + std::string(unitOf(test.loop))
         + envelopeText(test.limits));
-    if (!device.link().address().isSimulated()) {
+    if (!device.link().address().isSimulated())
         co_await Sleep(device.clock(), warning);
-    }
     co_return {};
 }
 

@@ -115,9 +115,8 @@ Task<int> simulate(Console &console, SimulateArguments arguments)
     const auto plan = co_await check(console, arguments);
     Ending ending(console);
     SimulatedUnits units(console, arguments.events);
-    for (const PlannedUnit &unit : plan.units) {
+    for (const PlannedUnit &unit : plan.units)
         co_await units.add(unit);
-    }
     units.watch(ending);
     QJsonArray links;
     for (const LinkAddress &link : plan.links) {

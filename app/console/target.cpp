@@ -104,9 +104,8 @@ Task<void> noteReset(Console &console, Device &device)
 {
     if (device.identity().state == DeviceState::Bootloader)
         co_return {};
-    if (!device.family().capabilities.keepsSettings) {
+    if (!device.family().capabilities.keepsSettings)
         co_await device.refresh();
-    }
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     if (!lost.empty())
         console.note(device.selector()

@@ -166,9 +166,8 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
     Result<TuneReport> report = co_await tuneOn(console, session, device, plan, notebook).attempt();
     if (!report)
         co_return fail(report.error());
-    if (report->result == TuneResult::Kept || !report->notPutBack.empty()) {
+    if (report->result == TuneResult::Kept || !report->notPutBack.empty())
         co_await notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
-    }
     Result<int> verdict = verdictOf(*report);
     if (plan.store && report->result == TuneResult::Kept) {
         auto storing = storeGains(console, device, *report, notebook.settings());

@@ -31,9 +31,8 @@ Task<tuning::TuneReport> tuneKept(
         (void)co_await std::move(taking).attempt();
     }
     tuning::TuneReport report = co_await std::move(story);
-    if (log && (report.result == tuning::TuneResult::Kept || !report.notPutBack.empty())) {
+    if (log && (report.result == tuning::TuneResult::Kept || !report.notPutBack.empty()))
         (void)co_await settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log).attempt();
-    }
     co_return report;
 }
 
@@ -45,9 +44,8 @@ Task<Trial> tryKept(Device &device, std::vector<ParameterChange> gains, settings
         before = co_await settings::numbersBefore(device, std::move(gains));
     }
     Result<Trial> trial = co_await std::move(story).attempt();
-    if (!before.empty()) {
+    if (!before.empty())
         (void)co_await settings::keepReplaced(device, std::move(before), settings::Origin::Window, *log).attempt();
-    }
     co_return trial;
 }
 

@@ -40,9 +40,8 @@ std::optional<double> numberOf(const Family &family, Entries entries, const std:
 Task<void> refresh(Device &device, std::string key)
 {
     const auto index = findParameter(device.family().parameters, key);
-    if (index && device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index)) {
+    if (index && device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index))
         co_await device.read(*index);
-    }
     co_return {};
 }
 
@@ -133,9 +132,8 @@ Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position
 {
     const Family &family = device.family();
     for (const DeviceLimit &limit : family.trials->limits) {
-        for (const std::string_view key : {limit.enabled, limit.key}) {
+        for (const std::string_view key : {limit.enabled, limit.key})
             co_await refresh(device, gainKey(family, key, axis, slot));
-        }
     }
     co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
 }

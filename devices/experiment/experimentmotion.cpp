@@ -89,9 +89,8 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
     if (auto started = m_stream.start(first, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
     co_await goTo(m_trial.stimulus.from);
-    for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
+    for (int i = 0; i < m_plan.repeat && !isOver(); ++i)
         co_await followOnce(ditherOf(i, m_plan.repeat, period));
-    }
     m_completed = !isOver();
     m_recorder.unguard();
     if (m_stream.isRunning())
@@ -218,9 +217,8 @@ Task<void> ExperimentMotion::comeBack()
     setTarget(stimulus.from);
     tellMeasured();
     const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
-    while (!isOver() && clock.now() < limit && !hasReturned(back)) {
+    while (!isOver() && clock.now() < limit && !hasReturned(back))
         co_await Sleep(clock, ofSeconds(m_beat));
-    }
     m_returns.emplace_back(back, clock.now());
     co_return {};
 }

@@ -86,9 +86,8 @@ Task<void> ExperimentRun::prepare()
     m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
     m_trial.envelope = *envelope;
     if (!counted) {
-        for (const double target : {stimulus->from, stimulus->to}) {
+        for (const double target : {stimulus->from, stimulus->to})
             co_await m_device.check(m_motion.setPointAt(target));
-        }
     }
     if (m_plan.keep != Keep::Always) {
         m_owed = co_await readReplaced(m_device, m_plan.gains);
@@ -103,9 +102,8 @@ Task<void> ExperimentRun::prepare()
 
 Task<void> ExperimentRun::perform()
 {
-    if (m_around.before) {
+    if (m_around.before)
         co_await m_around.before();
-    }
     if (needsRestart(m_device, m_plan.gains))
         m_trial.flags.emplace_back(flag::restartNeeded);
     co_await writeDown();
@@ -150,9 +148,8 @@ Task<void> ExperimentRun::writeDown()
     if (owes && !m_number)
         co_return fail(Fault::Unsafe, say("nothing could put the gains back after a crash"),
             say("keep what is tried, or name a notebook that can be written"));
-    if (owes) {
+    if (owes)
         co_await m_around.journal->owe(*m_number, m_trial.unit, m_owed);
-    }
     if (!m_plan.gains.empty()) {
         co_await m_user.mayGoOn();
         m_wrote = true;

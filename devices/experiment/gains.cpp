@@ -62,9 +62,8 @@ Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
     for (const ParameterIndex index : rows) {
         if (!device.offers(index))
             continue;
-        if (isReadable(device, index)) {
+        if (isReadable(device, index))
             co_await device.read(index);
-        }
         std::optional<double> value;
         if (isKnown(device, index)) {
             const Value known = toValue(device.parameters().parameter(index), *device.parameters().entry(index).raw);

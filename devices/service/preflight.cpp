@@ -47,9 +47,8 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, tuning::Experim
 {
     co_await checkState(device, matter.recipe);
     co_await standsStill(device);
-    if (trials && device.identity().state != DeviceState::Bootloader) {
+    if (trials && device.identity().state != DeviceState::Bootloader)
         co_await checkOwed(device, *trials);
-    }
     if (!matter.recipe.firmware) {
         co_await checkOffered(device, matter);
         co_return {};

@@ -98,9 +98,8 @@ QueueBus::~QueueBus() = default;
 Task<void> QueueBus::run()
 {
     co_await look();
-    if (m_run.isOnce()) {
+    if (m_run.isOnce())
         co_await checkAll();
-    }
     while (!m_run.isFinishing() && !m_run.isComplete()) {
         if (m_link.state() != LinkState::Open)
             co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));

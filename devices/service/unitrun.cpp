@@ -271,9 +271,8 @@ Task<Message> UnitRun::setParameters()
             m_later.push_back(outcome.index);
     }
     m_wrote = !changes.empty();
-    if (m_around.matter.recipe.parameters->store && !storesByItself()) {
+    if (m_around.matter.recipe.parameters->store && !storesByItself())
         co_await m_device.store(m_progress);
-    }
     const auto &wanted = m_around.matter.parameters;
     const auto count = static_cast<int>(wanted.size());
     const auto untold = std::ranges::count_if(wanted, [this](const auto &change) { return isUnreadable(change); });
@@ -382,9 +381,8 @@ Task<Message> UnitRun::giveNumber()
     co_await isSame();
     const int old = m_device.identity().address;
     m_progress.step(say("Giving it number %1", *m_visit.number), 0, 0);
-    if (old != *m_visit.number) {
+    if (old != *m_visit.number)
         co_await m_device.renumber(*m_visit.number);
-    }
     co_return old == *m_visit.number ? say("number %1, as before", *m_visit.number) : say("number %1", *m_visit.number);
 }
 

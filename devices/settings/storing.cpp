@@ -60,18 +60,16 @@ Task<void> recall(Device &device, SettingsLog &log)
 Task<std::vector<TransferOutcome>> readKept(
     Device &device, std::vector<ParameterIndex> indices, SettingsLog *log, Progress &progress)
 {
-    if (log && device.family().capabilities.storesAfter > std::chrono::seconds(0)) {
+    if (log && device.family().capabilities.storesAfter > std::chrono::seconds(0))
         co_await recall(device, *log);
-    }
     co_return co_await readParameters(device, std::move(indices), progress);
 }
 
 Task<bool> storeKept(Device &device, Origin origin, SettingsLog *log, Progress &progress)
 {
     const bool stored = co_await device.store(progress);
-    if (stored && log) {
+    if (stored && log)
         (void)co_await keepStored(device, origin, *log).attempt();
-    }
     co_return stored;
 }
 

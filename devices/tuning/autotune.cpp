@@ -95,9 +95,8 @@ Result<void> checkAllPutBack(const Device &device, const TunePlan &plan, bool se
 Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
     const bool searches = !checkScales(run.device(), plan.loop);
-    if ((searches || !plan.propose) && !plan.keep) {
+    if ((searches || !plan.propose) && !plan.keep)
         co_await checkAllPutBack(run.device(), plan, searches);
-    }
     if (searches) {
         co_await findScales(run);
         run.beginClock();

@@ -44,9 +44,8 @@ void AutotuneRun::note(const Message &text) const
 
 Task<void> AutotuneRun::keepBefore()
 {
-    if (const auto before = std::exchange(m_around.before, {})) {
+    if (const auto before = std::exchange(m_around.before, {}))
         co_await before();
-    }
     co_return {};
 }
 

@@ -153,9 +153,8 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
     trial = co_await std::move(again);
     if (run.isOver())
         co_return {};
-    if (!pushesOf(trial).empty()) {
+    if (!pushesOf(trial).empty())
         co_await measureOut(run, std::move(trial));
-    }
     co_return checkRoom(run);
 }
 

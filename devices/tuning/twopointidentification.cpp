@@ -72,8 +72,7 @@ Task<void> TwoPointIdentification::identify(AutotuneRun &run)
         co_return {};
     m_ground.room = roomOf(run);
     m_ground.envelope = run.envelope();
-    const auto chosen = co_await Steps::chosenFrom(m_ground);
-    m_steps = chosen;
+    m_steps = co_await Steps::chosenFrom(m_ground);
     if (m_steps.isLed)
         run.note(say(
             "a step would draw too much current: the unit's own profile leads, at %1 counts/s at most", m_steps.rate));

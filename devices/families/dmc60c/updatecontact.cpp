@@ -46,9 +46,8 @@ void UpdateContact::takeSession(std::uint16_t session)
 Task<VendorReply> UpdateContact::send(
     VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
 {
-    if (m_answerOwed && !isQuestion(command.command)) {
+    if (m_answerOwed && !isQuestion(command.command))
         co_await settle();
-    }
     m_sentAt = m_clock.now();
     VendorRequest request;
     request.device = m_device.identity().address;

@@ -164,16 +164,14 @@ Task<void> Updater::install()
 
 Task<void> Updater::installOnce()
 {
-    if (m_losses > 0) {
+    if (m_losses > 0)
         co_await lookAgain();
-    }
     if (!m_isWritten) {
         co_await writeAll();
         m_isWritten = true;
     }
-    if (!m_isLeft) {
+    if (!m_isLeft)
         co_await leaveBootloader();
-    }
     co_await verify();
     co_return {};
 }

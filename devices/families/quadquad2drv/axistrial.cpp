@@ -95,9 +95,8 @@ Task<void> AxisTrial::prepare()
         setAccelerationLimit(m_mask, 0),
         setHistory(shortHistory, shortTime),
     };
-    for (const Bytes &request : requests) {
+    for (const Bytes &request : requests)
         co_await m_board.tell(request);
-    }
     m_board.settings().accepted(indexOf(m_axis, AxisParameter::LimitPower), static_cast<std::int64_t>(m_most));
     auto atRest = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
     co_await std::move(atRest);

@@ -155,9 +155,8 @@ Task<void> BoardLayout::putBack()
     m_streamPeriod = 0;
     co_await putMasksBack(before.masks);
     co_await m_port.request(setStreamConfig(before.config));
-    if (before.period > 0) {
+    if (before.period > 0)
         co_await m_port.request(setStreamPeriod(before.period));
-    }
     m_before.reset();
     co_await read();
     co_return {};

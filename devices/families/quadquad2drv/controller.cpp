@@ -26,9 +26,8 @@ constexpr int refreshTries = 3; ///< as for every other question; the polls are 
 
 Task<void> sendAll(PacketPort &port, std::vector<Bytes> requests)
 {
-    for (const Bytes &request : requests) {
+    for (const Bytes &request : requests)
         co_await port.request(request);
-    }
     co_return {};
 }
 
@@ -246,9 +245,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
             parameters().setRead(indexOf(other), co_await std::move(reading));
         }
     }
-    if (m_port.masks()[0] == datamask::startUp) {
+    if (m_port.masks()[0] == datamask::startUp)
         co_await m_layout.tellEverything();
-    }
     if (ofAxis && which == AxisParameter::Counter && m_drives.controlMode(axis) == ControlMode::Position)
         co_return fail(
             Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
@@ -335,9 +333,8 @@ void Controller::doProfileChanged()
 
 Task<void> Controller::tell(Bytes request)
 {
-    if (!m_layout.tellsEverything()) {
+    if (!m_layout.tellsEverything())
         co_await m_layout.tellEverything();
-    }
     m_layout.noteChange();
     co_await m_port.request(std::move(request));
     co_return {};

@@ -104,9 +104,8 @@ Task<void> OrderQueue::work()
 Task<void> OrderQueue::obey(Bytes order)
 {
     PacketPort::Gate gate = [this, stops = m_stops] { return stops == m_stops; };
-    if (!m_layout.tellsEverything()) {
+    if (!m_layout.tellsEverything())
         co_await m_layout.tellEverything();
-    }
     co_await m_port.request(std::move(order), orderTries, std::move(gate));
     co_return {};
 }

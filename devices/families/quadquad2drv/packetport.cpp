@@ -66,9 +66,8 @@ Task<void> PacketPort::clockOut(std::size_t bytes)
 Task<void> PacketPort::searchStart()
 {
     co_await Sleep(m_clock, blindPause);
-    for (std::size_t i = 0; i < blindBytes && m_reader.missing() == 0; ++i) {
+    for (std::size_t i = 0; i < blindBytes && m_reader.missing() == 0; ++i)
         co_await clockOut(1);
-    }
     co_return {};
 }
 

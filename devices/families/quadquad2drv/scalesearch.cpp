@@ -45,9 +45,8 @@ Task<ExperimentReport> ScaleSearch::run()
     co_await m_trial.prepare();
     co_await measureAll();
     co_await m_trial.finish();
-    for (const auto &[key, scale] : m_report.found) {
+    for (const auto &[key, scale] : m_report.found)
         co_await m_board.knowledge().calibrate(key, scale);
-    }
     if (m_trial.leavesStartGains())
         m_report.sentence
             = say("%1; the gains of the axis were not known, and are now those that the board starts with",

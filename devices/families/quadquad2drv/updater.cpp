@@ -111,9 +111,8 @@ Task<UpdateReport> Updater::run(bool dryRun)
 
 Task<void> Updater::openLine()
 {
-    if (!m_link.fixedBaudrate()) {
+    if (!m_link.fixedBaudrate())
         co_await m_link.setBaudrate(m_settings.baudrate);
-    }
     co_await m_link.openSoon();
     co_return {};
 }

@@ -253,9 +253,8 @@ void Controller::updateLiveness()
 
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
-    if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized()) {
+    if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized())
         co_await m_motion.bounds().checkGain(raw, m_motion.count().error());
-    }
     co_return co_await m_settings.write(index, raw);
 }
 

@@ -107,9 +107,8 @@ Task<void> Search::askSilent(std::vector<Place> known)
     for (const Place &place : known) {
         const bool recalled = std::ranges::find(m_recalled, place.second) != m_recalled.end();
         const auto isThere = [&] { return std::ranges::find(m_found, place.second) != m_found.end(); };
-        for (int attempt = 1; attempt < attemptsForOne && !recalled && !isThere(); ++attempt) {
+        for (int attempt = 1; attempt < attemptsForOne && !recalled && !isThere(); ++attempt)
             co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
-        }
         if (!isThere() && !m_line->driven().any())
             m_line->roster().forget(place.second);
     }
@@ -232,12 +231,10 @@ Task<void> Search::run()
     co_await lookAll(std::move(usual));
     if (!m_found.empty())
         keepFoundRates(searched);
-    if (!allThere || m_sink.extent() != ScanExtent::Quick) {
+    if (!allThere || m_sink.extent() != ScanExtent::Quick)
         co_await lookAtRest(searched);
-    }
-    if (m_sink.extent() == ScanExtent::Everything) {
+    if (m_sink.extent() == ScanExtent::Everything)
         co_await lookEverywhere();
-    }
     report(say("Supermodified found: %1", m_found.size()), 1, 1);
     co_return {};
 }
@@ -298,9 +295,8 @@ Task<void> Search::runFor(int address)
                 break;
         }
     }
-    if (!m_found.empty()) {
+    if (!m_found.empty())
         co_await learnOthers(address);
-    }
     std::erase_if(m_recalled, [address](int id) { return id != address; }); // of the others nothing is known
     forgetSilent();
     co_return {};
