@@ -103,8 +103,7 @@ Result<void> checkOptions(const Options &options)
     if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
         return fail(Fault::OutOfRange, say("--size takes WIDTHxHEIGHT, such as 1280x800"));
     for (const QString &link : options.links) {
-        if (auto parsed = LinkAddress::parse(link.toStdString()); !parsed)
-            return fail(parsed.error());
+        MB_TRY_VOID(LinkAddress::parse(link.toStdString()));
     }
     return {};
 }
@@ -141,8 +140,7 @@ Result<Options> Options::parse(const QStringList &arguments)
     if (options.hasNoWindow() == options.out.isEmpty() || (!options.plot.isEmpty() && !options.report.isEmpty())
         || (parser.isSet(QStringLiteral("out")) && options.out.isEmpty()))
         return fail(Fault::OutOfRange, say("--plot FILE or --report FILE, and --out FILE belong together"));
-    if (auto checked = checkOptions(options); !checked)
-        return fail(checked.error());
+    MB_TRY_VOID(checkOptions(options));
     return options;
 }
 

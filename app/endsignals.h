@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <QSocketNotifier>
 
 #include <functional>
@@ -9,11 +11,9 @@ namespace mb {
 
 /// SIGINT, SIGTERM and SIGHUP as events of the GUI thread's loop, in whatever thread they arrive; one that was ignored before, as by
 /// nohup, stays so. Programs that this one starts have none of it. One at a time; GUI thread.
-class EndSignals {
+class EndSignals : NonCopyable {
 public:
     explicit EndSignals(std::function<void()> received);
-    EndSignals(const EndSignals &) = delete;
-    EndSignals &operator=(const EndSignals &) = delete;
     /// They act as in a new program again.
     ~EndSignals();
 

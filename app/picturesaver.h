@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <QImage>
 #include <QThreadPool>
 
@@ -11,13 +13,11 @@ namespace mb {
 
 /// Makes files of pictures in a thread of its own: to pack one of 8 million pixels takes longer than the lease of a motion, which the
 /// thread of the window must renew meanwhile. One after the other. GUI thread.
-class PictureSaver {
+class PictureSaver : NonCopyable {
 public:
     /// In the other thread; false: it could not be written.
     using Write = std::function<bool(const QImage &picture, const QString &path)>;
     explicit PictureSaver(Write write);
-    PictureSaver(const PictureSaver &) = delete;
-    PictureSaver &operator=(const PictureSaver &) = delete;
     ~PictureSaver();
 
     /// Returns at once.

@@ -60,10 +60,8 @@ QJsonObject settingsOf(const DeviceView &device)
 Result<void> copyLayouts(const QString &from, const QString &to)
 {
     for (const QString &name : QDir(from).entryList({QStringLiteral("*.json")}, QDir::Files)) {
-        const auto bytes = loadFile((from + QLatin1Char('/') + name).toStdString(), largestProject);
-        if (!bytes)
-            return fail(bytes.error());
-        if (auto written = writeIfNew(to + QLatin1Char('/') + name, *bytes); !written)
+        MB_TRY(const auto bytes, loadFile((from + QLatin1Char('/') + name).toStdString(), largestProject));
+        if (auto written = writeIfNew(to + QLatin1Char('/') + name, bytes); !written)
             return written;
     }
     return {};
@@ -121,11 +119,9 @@ Result<void> Project::save(const QString &folder) const
 Result<Project> Project::load(const QString &folder)
 {
     const QString file = folder + QLatin1Char('/') + QLatin1String(projectFile);
-    const auto bytes = loadFile(file.toStdString(), largestProject);
-    if (!bytes)
-        return fail(bytes.error());
+    MB_TRY(const auto bytes, loadFile(file.toStdString(), largestProject));
     QJsonParseError error;
-    const QJsonObject object = QJsonDocument::fromJson(*bytes, &error).object();
+    const QJsonObject object = QJsonDocument::fromJson(bytes, &error).object();
     if (error.error != QJsonParseError::NoError)
         return fail(Fault::OutOfRange, say("%1: %2", file.toStdString(), error.errorString().toStdString()));
     if (object.value(QStringLiteral("project")).toInt() != projectFormat)

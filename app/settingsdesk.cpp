@@ -22,13 +22,9 @@ void SettingsDesk::list(const std::string &unit, Listed listed)
 {
     ask<SettingsTimeline>(
         [unit](SettingsBook &book) -> Result<SettingsTimeline> {
-            auto snapshots = book.snapshots(unit);
-            if (!snapshots)
-                return fail(snapshots.error());
-            auto changes = book.changes(unit);
-            if (!changes)
-                return fail(changes.error());
-            return SettingsTimeline{std::move(*snapshots), std::move(*changes)};
+            MB_TRY(auto snapshots, book.snapshots(unit));
+            MB_TRY(auto changes, book.changes(unit));
+            return SettingsTimeline{std::move(snapshots), std::move(changes)};
         },
         std::move(listed));
 }

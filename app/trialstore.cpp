@@ -30,10 +30,8 @@ public:
         if (m_books)
             return m_books.get();
         if (!m_database) {
-            auto opened = Database::open(m_store.m_path);
-            if (!opened)
-                return fail(opened.error());
-            m_database = std::move(*opened);
+            MB_TRY(auto opened, Database::open(m_store.m_path));
+            m_database = std::move(opened);
         }
         m_books.reset(new Books{{*m_database, m_store.m_clock}, {*m_database, m_store.m_clock, m_store.m_person},
             {*m_database, m_store.m_clock, m_place.station, m_store.m_person}, nullptr});

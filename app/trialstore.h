@@ -4,6 +4,7 @@
 #include "async/clock.h"
 #include "async/event.h"
 #include "async/mailbox.h"
+#include "async/noncopyable.h"
 #include "async/scope.h"
 #include "storage/servicebook.h"
 #include "storage/settingsbook.h"
@@ -35,15 +36,13 @@ struct Books {
 /// The user's file in a thread of its own, so that neither disk nor server ever holds up engine or window. The file is opened
 /// with the first order. Orders are done one after the other, those that wait at the end too; what the journal's server has not
 /// got then, it gets the next time.
-class TrialStore {
+class TrialStore : NonCopyable {
 public:
     /// With the books, or why there are none. In the thread of the store.
     using Work = std::function<void(const Result<Books *> &)>;
 
     /// The clock gives the time of day, from any thread; `person` is the account that writes are kept under.
     TrialStore(std::string path, const Clock &clock, std::string person);
-    TrialStore(const TrialStore &) = delete;
-    TrialStore &operator=(const TrialStore &) = delete;
     /// Waits until all is done.
     ~TrialStore();
     /// The same with a limit. False: a disk hangs, and this may not be destroyed. Again later where more is to be waited.

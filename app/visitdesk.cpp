@@ -9,23 +9,19 @@ namespace {
 /// Of the newest run on this station, if a unit of it is open still.
 Result<CutRun> cutRunOf(ServiceBook &book, const std::string &recipe, const std::string &hash, bool simulated)
 {
-    const auto run = book.lastRun(recipe, simulated);
-    if (!run)
-        return fail(run.error());
+    MB_TRY(const auto run, book.lastRun(recipe, simulated));
     CutRun cut;
     cut.simulated = simulated;
-    if (run->empty())
+    if (run.empty())
         return cut;
     service::VisitFilter filter;
-    filter.run = *run;
+    filter.run = run;
     filter.recipeHash = hash;
-    const auto visits = book.list(filter);
-    if (!visits)
-        return fail(visits.error());
-    for (const service::Visit &visit : *visits)
+    MB_TRY(const auto visits, book.list(filter));
+    for (const service::Visit &visit : visits)
         ++(visit.outcome == service::Outcome::Open ? cut.open : cut.ended);
     if (cut.open > 0)
-        cut.run = *run;
+        cut.run = run;
     return cut;
 }
 

@@ -114,16 +114,12 @@ Result<Options> optionsFrom(const Globals &globals)
     options.json = globals.json;
     options.quiet = globals.quiet;
     if (!globals.timeout.empty()) {
-        const auto seconds = parseNumber("--timeout", globals.timeout, 0.01, 3600.0);
-        if (!seconds)
-            return fail(seconds.error());
-        options.patience.timeout = fromSeconds(*seconds);
+        MB_TRY(const auto seconds, parseNumber("--timeout", globals.timeout, 0.01, 3600.0));
+        options.patience.timeout = fromSeconds(seconds);
     }
     if (!globals.retries.empty()) {
-        const auto retries = parseInteger("--retries", globals.retries, 0, 1000);
-        if (!retries)
-            return fail(retries.error());
-        options.patience.retries = *retries;
+        MB_TRY(const auto retries, parseInteger("--retries", globals.retries, 0, 1000));
+        options.patience.retries = retries;
     }
     return options;
 }
@@ -199,8 +195,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     declareGlobals(app, globals);
     CommandLine line;
     line.job = verb.declare(app);
-    if (auto plain = checkFlags(app, verb, arguments); !plain)
-        return fail(plain.error());
+    MB_TRY_VOID(checkFlags(app, verb, arguments));
     std::ranges::reverse(arguments); // CLI11 takes them from the back
     try {
         app.parse(arguments);
@@ -211,12 +206,9 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     } catch (const CLI::Error &error) {
         return fail(Fault::Usage, say("%1: %2", name, lowered(error.what())), usageOf(verb));
     }
-    if (auto full = checkValues(app, verb); !full)
-        return fail(full.error());
-    const auto options = optionsFrom(globals);
-    if (!options)
-        return fail(options.error());
-    line.options = *options;
+    MB_TRY_VOID(checkValues(app, verb));
+    MB_TRY(const auto options, optionsFrom(globals));
+    line.options = options;
     line.options.verb = verb.name;
     return line;
 }
@@ -265,13 +257,11 @@ Result<std::string> helpText(std::string_view name)
 {
     if (name.empty())
         return overview();
-    const auto verb = knownVerb(name);
-    if (!verb)
-        return fail(verb.error());
-    CLI::App app(std::string((*verb)->help), "motorbenchctl " + std::string(name));
+    MB_TRY(const auto verb, knownVerb(name));
+    CLI::App app(std::string(verb->help), "motorbenchctl " + std::string(name));
     Globals globals;
     declareGlobals(app, globals);
-    (void)(*verb)->declare(app);
+    (void)verb->declare(app);
     return app.help();
 }
 
@@ -294,18 +284,14 @@ Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
 {
     Globals globals;
     CommandLine printed;
-    const auto used = parseFront(arguments, globals, printed);
-    if (!used)
-        return fail(used.error());
+    MB_TRY(const auto used, parseFront(arguments, globals, printed));
     if (!printed.text.empty())
         return printed;
-    if (*used == arguments.size())
+    if (used == arguments.size())
         return fail(Fault::Usage, say("a verb is missing"), say("'motorbenchctl help' lists them"));
-    const auto verb = knownVerb(arguments[*used]);
-    if (!verb)
-        return fail(verb.error());
-    arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(*used + 1));
-    return parseVerb(**verb, std::move(arguments), std::move(globals));
+    MB_TRY(const auto verb, knownVerb(arguments[used]));
+    arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(used + 1));
+    return parseVerb(*verb, std::move(arguments), std::move(globals));
 }
 
 } // namespace mb::console

@@ -62,10 +62,8 @@ Result<void> readNumbers(SetPoint &setPoint, const DriveArguments &a)
         {"--ramp", a.ramp, 0.0, 1e6, setPoint.ramp},
     }};
     for (const Field &field : fields) {
-        const auto number = optionalNumber(field.name, field.text, field.low, field.high);
-        if (!number)
-            return fail(number.error());
-        field.value = *number;
+        MB_TRY(const auto number, optionalNumber(field.name, field.text, field.low, field.high));
+        field.value = number;
     }
     return {};
 }
@@ -83,8 +81,7 @@ Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
         return fail(Fault::Usage, say("--target is missing"),
             unitOf(*mode).empty() ? say("give it in the unit of the mode") : say("give it in %1", unitOf(*mode)));
     SetPoint setPoint;
-    if (auto read = readNumbers(setPoint, a); !read)
-        return fail(read.error());
+    MB_TRY_VOID(readNumbers(setPoint, a));
     if (*mode == Mode::Off && setPoint.target != 0.0)
         return fail(
             Fault::Usage, say("--mode off has no target"), say("leave --target out, or name the mode that is meant"));
@@ -105,8 +102,7 @@ Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
     setPoint.relative = a.relative;
     setPoint.buffered = a.buffered;
     setPoint.order = 1;
-    if (auto chosen = overrideLimits(setPoint, a.limitOverride); !chosen)
-        return fail(chosen.error());
+    MB_TRY_VOID(overrideLimits(setPoint, a.limitOverride));
     return setPoint;
 }
 
@@ -131,16 +127,12 @@ Result<void> checkSetPoint(Console &console, const DrivePlan &plan)
     std::unique_ptr<Bench> bench;
     std::unique_ptr<Link> link;
     if (plan.target.selector.link.isSimulated()) {
-        auto made = Bench::create(plan.target.selector.link, console.clock(), console.families());
-        if (!made)
-            return fail(made.error());
-        bench = std::move(*made);
+        MB_TRY(auto made, Bench::create(plan.target.selector.link, console.clock(), console.families()));
+        bench = std::move(made);
         link = bench->hostLink();
     } else {
-        auto made = createLink(plan.target.selector.link, console.clock());
-        if (!made)
-            return fail(made.error());
-        link = std::move(*made);
+        MB_TRY(auto made, createLink(plan.target.selector.link, console.clock()));
+        link = std::move(made);
     }
     Identity identity;
     identity.family = plan.target.selector.family;
@@ -214,24 +206,14 @@ SetPoint holding()
 
 Result<DrivePlan> planOf(Console &console, const DriveArguments &arguments)
 {
-    auto target = parseTarget(console, arguments.device);
-    if (!target)
-        return fail(target.error());
-    if (auto offered = checkOffered(*target->family, arguments); !offered)
-        return fail(offered.error());
-    const auto setPoint = parseSetPoint(*target->family, arguments);
-    if (!setPoint)
-        return fail(setPoint.error());
-    const auto time = parseSpan(arguments.seconds);
-    if (!time)
-        return fail(time.error());
-    const auto slew = parseSlew(arguments, *setPoint);
-    if (!slew)
-        return fail(slew.error());
-    DrivePlan plan{std::move(*target), *setPoint, *slew, time->value_or(Duration::zero()), arguments.zero,
+    MB_TRY(auto target, parseTarget(console, arguments.device));
+    MB_TRY_VOID(checkOffered(*target.family, arguments));
+    MB_TRY(const auto setPoint, parseSetPoint(*target.family, arguments));
+    MB_TRY(const auto time, parseSpan(arguments.seconds));
+    MB_TRY(const auto slew, parseSlew(arguments, setPoint));
+    DrivePlan plan{std::move(target), setPoint, slew, time.value_or(Duration::zero()), arguments.zero,
         arguments.halt && !arguments.mode.empty()};
-    if (auto legal = checkSetPoint(console, plan); !legal)
-        return fail(legal.error());
+    MB_TRY_VOID(checkSetPoint(console, plan));
     return plan;
 }
 

@@ -36,12 +36,10 @@ Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family)
         const EnvelopeBound &bound = envelopeBounds[i];
         if (given[i]->empty())
             continue;
-        const auto number = parseNumber(std::string("--") + bound.key, *given[i], lowest, largest);
-        if (!number)
-            return fail(number.error());
-        if (auto bounds = tuning::checkBound(bound, *number); !bounds)
+        MB_TRY(const auto number, parseNumber(std::string("--") + bound.key, *given[i], lowest, largest));
+        if (auto bounds = tuning::checkBound(bound, number); !bounds)
             return fail(bounds.error().about(std::string("--") + bound.key));
-        values.limits.*bound.value = *number;
+        values.limits.*bound.value = number;
     }
     const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);
     const auto whichSlot

@@ -5,6 +5,7 @@
 #include "app/console/verb.h"
 #include "app/folders/userfolders.h"
 #include "async/event.h"
+#include "async/noncopyable.h"
 #include "files/filebytes.h"
 #include "model/operation.h"
 #include "model/standstill.h"
@@ -57,20 +58,15 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
 
 Result<FlashPlan> check(const Console &console, const FlashArguments &arguments)
 {
-    auto target = parseTarget(console, arguments.device);
-    if (!target)
-        return fail(target.error());
-    const Family &family = *target->family;
+    MB_TRY(auto target, parseTarget(console, arguments.device));
+    const Family &family = *target.family;
     const std::string name(family.key);
     if (!family.update)
         return fail(Fault::Unsupported, say("%1 has no firmware update here", name), say("use the maker's tool"));
-    if (auto way = checkRoute(family, arguments.options); !way)
-        return fail(way.error());
-    const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
-    if (!bytes)
-        return fail(bytes.error());
+    MB_TRY_VOID(checkRoute(family, arguments.options));
+    MB_TRY(const auto bytes, loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize)));
     auto parsed
-        = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+        = FirmwareImage::fromIntelHex(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     if (!parsed)
         return fail(Fault::OutOfRange, say("%1: %2", arguments.file, parsed.error().detail),
             say("an undamaged Intel HEX file is needed"));
@@ -78,11 +74,11 @@ Result<FlashPlan> check(const Console &console, const FlashArguments &arguments)
         if (auto summary = family.inspect(*parsed); !summary)
             return fail(summary.error().about(arguments.file));
     }
-    return FlashPlan{std::move(*target), std::move(*parsed)};
+    return FlashPlan{std::move(target), std::move(*parsed)};
 }
 
 /// Runs the update as an operation: shows its progress, and cancels it on a signal as soon as that does no harm.
-class Update {
+class Update : NonCopyable {
 public:
     explicit Update(Console &console)
         : m_console(console)
@@ -92,8 +88,6 @@ public:
         , m_interrupted(console.interrupted().add([this] { cancel(); }))
     {
     }
-    Update(const Update &) = delete;
-    Update &operator=(const Update &) = delete;
     ~Update() { free(); }
     void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
     {

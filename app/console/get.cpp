@@ -23,13 +23,11 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
 {
     std::vector<ParameterIndex> indices;
     for (const std::string &key : keys) {
-        const auto index = parseKey(family, key);
-        if (!index)
-            return fail(index.error());
-        if (family.parameters[index->value].access == Access::WriteOnly)
+        MB_TRY(const auto index, parseKey(family, key));
+        if (family.parameters[index.value].access == Access::WriteOnly)
             return fail(Fault::OutOfRange, say("%1 can only be written", key), say("leave it out"));
-        if (std::ranges::find(indices, *index) == indices.end())
-            indices.push_back(*index);
+        if (std::ranges::find(indices, index) == indices.end())
+            indices.push_back(index);
     }
     return indices;
 }

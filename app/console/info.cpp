@@ -214,10 +214,8 @@ Result<Kept> parseKept(const Family &family, const std::string &text)
         return kept;
     const auto row = std::ranges::find_if(
         family.calibrations, [&](const Calibration &candidate) { return candidate.key == kept.key; });
-    const auto number = parseNumber(kept.key, kept.text, row->minimum, row->maximum);
-    if (!number)
-        return fail(number.error());
-    kept.number = *number;
+    MB_TRY(const auto number, parseNumber(kept.key, kept.text, row->minimum, row->maximum));
+    kept.number = number;
     return kept;
 }
 
@@ -225,10 +223,8 @@ Result<std::vector<Kept>> parseAll(const Family &family, const std::vector<std::
 {
     std::vector<Kept> all;
     for (const std::string &text : texts) {
-        auto kept = parseKept(family, text);
-        if (!kept)
-            return fail(kept.error());
-        all.push_back(std::move(*kept));
+        MB_TRY(auto kept, parseKept(family, text));
+        all.push_back(std::move(kept));
     }
     return all;
 }

@@ -23,8 +23,7 @@ constexpr std::chrono::seconds finishTime(2);
 Result<std::unique_ptr<Publisher>> MqttPublisher::open(const PublishAddress &address, Duration limit)
 {
     auto publisher = std::make_unique<MqttPublisher>(address.topic);
-    if (auto connected = publisher->connect(address, limit); !connected)
-        return fail(connected.error());
+    MB_TRY_VOID(publisher->connect(address, limit));
     return publisher;
 }
 

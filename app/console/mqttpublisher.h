@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/publisher.h"
+#include "async/noncopyable.h"
 
 #include <condition_variable>
 #include <mutex>
@@ -12,14 +13,12 @@ namespace mb::console {
 
 /// `TOPIC/DEVICE/CHANNEL` gets the line that `watch --json` prints, quality 0, not retained. The connection lives in a thread of
 /// libmosquitto, which connects again by itself; what comes meanwhile is dropped and counted.
-class MqttPublisher final : public Publisher {
+class MqttPublisher final : public Publisher, private NonCopyable {
 public:
     /// Waits for the broker, `limit` at most once its host has taken the connection.
     [[nodiscard]] static Result<std::unique_ptr<Publisher>> open(const PublishAddress &address, Duration limit);
 
     explicit MqttPublisher(std::string topic);
-    MqttPublisher(const MqttPublisher &) = delete;
-    MqttPublisher &operator=(const MqttPublisher &) = delete;
     ~MqttPublisher() override;
 
     void finish() override;

@@ -32,10 +32,8 @@ Result<NamedSettings> parseSettings(const Console &console, const std::string &t
     }
     if (!looksLikeDevice(console, text))
         return NamedSettings{Kind::File, text, std::nullopt};
-    auto target = parseTarget(console, text);
-    if (!target)
-        return fail(target.error());
-    return NamedSettings{Kind::Device, text, std::move(*target)};
+    MB_TRY(auto target, parseTarget(console, text));
+    return NamedSettings{Kind::Device, text, std::move(target)};
 }
 
 Result<QByteArray> loadSettings(const NamedSettings &named, Notebook *notebook, const std::string &unit)

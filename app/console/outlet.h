@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <cstddef>
 #include <string_view>
 
@@ -8,11 +10,9 @@ namespace mb::console {
 
 /// Standard output or standard error, written to without ever waiting for who reads it. The descriptor itself is left as it
 /// is: other processes share it, and would not expect that it stops blocking.
-class Outlet {
+class Outlet : NonCopyable {
 public:
     explicit Outlet(int shared);
-    Outlet(const Outlet &) = delete;
-    Outlet &operator=(const Outlet &) = delete;
     ~Outlet();
 
     struct Written {

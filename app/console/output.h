@@ -4,6 +4,7 @@
 #include "app/console/outlet.h"
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 
 #include <QJsonObject>
@@ -17,13 +18,11 @@ namespace mb::console {
 /// Standard output, gathered for at most 10 ms so that a full bus does not cost one system call a frame. It never waits for
 /// its reader: what he has not taken is kept here, up to a limit. A reader that went away (`… | head`) is no error: what
 /// follows is dropped, and broken() says so once. One that reads nothing any more is, at the limit.
-class Output {
+class Output : NonCopyable {
 public:
     static constexpr std::size_t mostWaiting = 32 * 1024 * 1024; ///< bytes
 
     explicit Output(Clock &clock);
-    Output(const Output &) = delete;
-    Output &operator=(const Output &) = delete;
     ~Output() { flush(); }
 
     /// One line; the end is added.

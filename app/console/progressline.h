@@ -2,17 +2,16 @@
 #pragma once
 
 #include "app/console/console.h"
+#include "async/noncopyable.h"
 #include "async/progress.h"
 
 namespace mb::console {
 
 /// Progress on standard error: a bar that is redrawn on a terminal, otherwise a line a second at most. Nothing with
 /// --quiet.
-class ProgressLine final : public Progress {
+class ProgressLine final : public Progress, private NonCopyable {
 public:
     explicit ProgressLine(Console &console);
-    ProgressLine(const ProgressLine &) = delete;
-    ProgressLine &operator=(const ProgressLine &) = delete;
     ~ProgressLine() override { erase(); }
 
     void step(const Message &what, int done, int total) override;

@@ -62,8 +62,7 @@ Result<PublishAddress> PublishAddress::parse(const std::string &text)
             return fail(notAnAddress(text, say("a topic is needed, without + and #")));
         rest = rest.substr(0, slash);
     }
-    if (auto host = parseHost(rest, text, address); !host)
-        return fail(host.error());
+    MB_TRY_VOID(parseHost(rest, text, address));
     if (address.port == 0 && address.scheme == "udp")
         return fail(notAnAddress(text, say("the port is missing")));
     if (address.port == 0)

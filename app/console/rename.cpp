@@ -41,8 +41,7 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
         return fail(*notebook.trouble());
     const std::string place = unitKeyOf(device);
     const std::string old(unitTagIn(notebook.settings()->resolved(place)));
-    if (auto kept = notebook.settings()->setTag(place, name); !kept)
-        return fail(kept.error());
+    MB_TRY_VOID(notebook.settings()->setTag(place, name));
     const bool verified = unitTagIn(notebook.settings()->resolved(place)) == name;
     show(console, device, old, name, verified, "kept on this computer");
     return exitDone;

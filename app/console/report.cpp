@@ -60,18 +60,14 @@ Result<Wish> check(const Console &console, const ReportArguments &a)
     wish.size = &*size;
     for (const std::string &subject : a.subjects) {
         if (subject.starts_with(trialPrefix)) {
-            const auto number = parseInteger("trial", subject.substr(trialPrefix.size()), 1, mostTrialNumber);
-            if (!number)
-                return fail(number.error());
-            wish.matter.trials.push_back(*number);
+            MB_TRY(const auto number, parseInteger("trial", subject.substr(trialPrefix.size()), 1, mostTrialNumber));
+            wish.matter.trials.push_back(number);
             continue;
         }
-        auto target = parseTarget(console, subject);
-        if (!target)
-            return fail(target.error());
+        MB_TRY(auto target, parseTarget(console, subject));
         if (wish.target)
             return fail(Fault::Usage, say("a report is about one device"), say("write one for each"));
-        wish.target = std::move(*target);
+        wish.target = std::move(target);
     }
     if (wish.target && !wish.matter.trials.empty())
         return fail(Fault::Usage, say("a report is about a device or about trials"), say("leave one of them out"));
@@ -103,16 +99,14 @@ Result<Report> gather(Console &console, Database &database, ReportWish wish, std
     TrialBook book(database, console.clock());
     if (unit)
         wish.unit = unit->unit;
-    auto units = reportUnits(book, console.families(), wish);
-    if (!units)
-        return fail(units.error());
-    if (unit && !units->empty())
-        units->front().describe(*unit);
+    MB_TRY(auto units, reportUnits(book, console.families(), wish));
+    if (unit && !units.empty())
+        units.front().describe(*unit);
     Report report;
     report.time = std::chrono::duration<double>(console.clock().now().time_since_epoch() + console.clock().unixOffset())
                       .count();
     report.program = "MotorBench " MOTORBENCH_VERSION;
-    report.units = std::move(*units);
+    report.units = std::move(units);
     return report;
 }
 

@@ -103,21 +103,18 @@ Result<std::optional<NamedSettings>> nameSource(
     const Console &console, const RestoreArguments &arguments, const Family &family)
 {
     for (const std::string &key : arguments.unitValues) {
-        if (const auto index = parseKey(family, key); !index)
-            return fail(index.error());
+        MB_TRY_VOID(parseKey(family, key));
     }
     if (arguments.file.empty() && family.capabilities.keepsSettings)
         return fail(Fault::Usage, say("a %1 keeps its settings itself", family.title),
             say("name a FILE that 'motorbenchctl get DEVICE --file F' saved"));
     if (arguments.file.empty())
         return std::optional<NamedSettings>();
-    auto named = parseSettings(console, arguments.file);
-    if (!named)
-        return fail(named.error());
-    if (named->kind != NamedSettings::Kind::File && named->kind != NamedSettings::Kind::Snapshot)
+    MB_TRY(auto named, parseSettings(console, arguments.file));
+    if (named.kind != NamedSettings::Kind::File && named.kind != NamedSettings::Kind::Snapshot)
         return fail(Fault::Usage, say("'%1' is neither a file nor a snapshot", arguments.file),
             say("save what is there first, 'motorbenchctl snapshot DEVICE'"));
-    return std::optional(std::move(*named));
+    return std::optional(std::move(named));
 }
 
 /// A snapshot of a place may be of another unit, which nobody can know but the user.

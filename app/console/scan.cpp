@@ -131,11 +131,9 @@ struct Opened {
 /// The links that were named. One that cannot be opened takes nothing from the others.
 Result<Opened> openNamed(Console &console, const std::vector<std::string> &names)
 {
-    const auto addresses = parseLinks(console, names);
-    if (!addresses)
-        return fail(addresses.error());
+    MB_TRY(const auto addresses, parseLinks(console, names));
     Opened opened;
-    for (const LinkAddress &address : *addresses) {
+    for (const LinkAddress &address : addresses) {
         auto link = console.session().openLink(address);
         if (link) {
             opened.links.push_back(*link);

@@ -36,11 +36,9 @@ struct ServicePlan {
 /// Those that were named; else the CAN interfaces that are up, as scan has it.
 Result<std::vector<LinkAddress>> linksOf(const Console &console, const ServiceArguments &a, const Family &family)
 {
-    const auto named = parseLinks(console, a.links);
-    if (!named)
-        return fail(named.error());
+    MB_TRY(const auto named, parseLinks(console, a.links));
     std::vector<LinkAddress> links;
-    for (const LinkAddress &link : *named) {
+    for (const LinkAddress &link : named) {
         if (serves(family, kindOf(link)))
             links.push_back(link);
         else if (!link.isSimulated())
@@ -66,15 +64,11 @@ Result<ServicePlan> check(const Console &console, const ServiceArguments &a)
         return fail(matter.error().fault, matter.error().detail,
             matter.error().remedy.empty() ? say("mend the recipe") : matter.error().remedy);
     ServicePlan plan{std::move(*matter), {}, {}};
-    auto links = linksOf(console, a, *plan.matter.recipe.family);
-    if (!links)
-        return fail(links.error());
-    plan.links = std::move(*links);
+    MB_TRY(auto links, linksOf(console, a, *plan.matter.recipe.family));
+    plan.links = std::move(links);
     if (!a.units.empty()) {
-        const auto units = parseInteger("--units", a.units, 1, mostUnits);
-        if (!units)
-            return fail(units.error());
-        plan.units = *units;
+        MB_TRY(const auto units, parseInteger("--units", a.units, 1, mostUnits));
+        plan.units = units;
     }
     return plan;
 }
@@ -207,10 +201,8 @@ Result<std::string> runToResume(ServiceBook &book, const ServicePlan &plan)
         return last;
     service::VisitFilter filter;
     filter.run = *last;
-    const auto visits = book.list(filter);
-    if (!visits)
-        return fail(visits.error());
-    const bool isOther = std::any_of(visits->begin(), visits->end(),
+    MB_TRY(const auto visits, book.list(filter));
+    const bool isOther = std::any_of(visits.begin(), visits.end(),
         [&matter](const service::Visit &visit) { return visit.recipeHash != matter.hash; });
     if (isOther)
         return fail(Fault::Usage, say("the recipe has changed since the run that would be resumed"),

@@ -39,18 +39,14 @@ Result<std::unique_ptr<ServiceDesk>> ServiceDesk::open(
 {
     std::optional<JournalServer> server;
     if (!url.empty()) {
-        auto parsed = JournalServer::parse(url);
-        if (!parsed)
-            return fail(parsed.error());
-        server = std::move(*parsed);
+        MB_TRY(auto parsed, JournalServer::parse(url));
+        server = std::move(parsed);
     }
-    auto opened = openNotebook();
-    if (!opened)
-        return fail(opened.error());
-    if ((*opened)->isReadOnly())
+    MB_TRY(auto opened, openNotebook());
+    if (opened->isReadOnly())
         return fail(Fault::OutOfRange, say("%1 cannot be written, so nothing would be in the journal", databaseFile()),
             say("check the rights of the file and its folder"));
-    std::unique_ptr<ServiceDesk> desk(new ServiceDesk(console, std::move(*opened), station));
+    std::unique_ptr<ServiceDesk> desk(new ServiceDesk(console, std::move(opened), station));
     if (server)
         desk->share(std::move(*server));
     return desk;

@@ -5,6 +5,7 @@
 #include "app/console/stage.h"
 #include "async/event.h"
 #include "async/mailbox.h"
+#include "async/noncopyable.h"
 #include "service/servicequeue.h"
 #include "storage/settingsbook.h"
 #include "storage/sharedjournal.h"
@@ -16,13 +17,11 @@
 namespace mb::console {
 
 /// The books that a queue writes: of this computer, and the journal that stations share, if there is one.
-class ServiceDesk {
+class ServiceDesk : NonCopyable {
 public:
     /// OutOfRange, Usage: the file cannot be written, or `url` is none.
     [[nodiscard]] static Result<std::unique_ptr<ServiceDesk>> open(
         Console &console, const std::string &station, const std::string &url);
-    ServiceDesk(const ServiceDesk &) = delete;
-    ServiceDesk &operator=(const ServiceDesk &) = delete;
 
     [[nodiscard]] service::ServiceJournal &journal();
     [[nodiscard]] ServiceBook &book() { return m_book; }

@@ -5,6 +5,7 @@
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "async/noncopyable.h"
 #include "settings/storing.h"
 #include "settings/writing.h"
 
@@ -69,14 +70,12 @@ QJsonObject toJson(const Device &device, const std::vector<ParameterIndex> &indi
 }
 
 /// Says so where the proof is interrupted: what was written is in force all the same.
-class Unproved {
+class Unproved : NonCopyable {
 public:
     explicit Unproved(Console &console)
         : m_console(console)
     {
     }
-    Unproved(const Unproved &) = delete;
-    Unproved &operator=(const Unproved &) = delete;
     ~Unproved()
     {
         if (!m_isTold)

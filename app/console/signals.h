@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <QSocketNotifier>
 
 #include <functional>
@@ -8,11 +10,9 @@
 namespace mb::console {
 
 /// SIGINT, SIGTERM and SIGHUP as events of the loop. They are blocked while this lives, so that none is missed.
-class Signals {
+class Signals : NonCopyable {
 public:
     explicit Signals(std::function<void()> received);
-    Signals(const Signals &) = delete;
-    Signals &operator=(const Signals &) = delete;
     ~Signals();
 
 private:

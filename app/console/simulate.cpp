@@ -30,26 +30,20 @@ struct SimulatePlan {
 
 Result<PlannedUnit> parseUnit(Console &console, const LinkAddress &link, const std::string &text)
 {
-    auto unit = SimulatedUnit::parse(text);
-    if (!unit)
-        return fail(unit.error());
-    const auto family = parseFamily(console.families(), unit->family);
-    if (!family)
-        return fail(family.error());
-    const auto &kinds = (*family)->links;
-    if (!(*family)->simulate || std::ranges::find(kinds, kindOf(link)) == kinds.end())
-        return fail(Fault::Usage, say("%1 cannot be simulated on %2", unit->family, link.text()),
+    MB_TRY(auto unit, SimulatedUnit::parse(text));
+    MB_TRY(const auto family, parseFamily(console.families(), unit.family));
+    const auto &kinds = family->links;
+    if (!family->simulate || std::ranges::find(kinds, kindOf(link)) == kinds.end())
+        return fail(Fault::Usage, say("%1 cannot be simulated on %2", unit.family, link.text()),
             say("a %1 link is needed", toString(kinds.front())));
-    return PlannedUnit{link, std::move(*unit), *family};
+    return PlannedUnit{link, std::move(unit), family};
 }
 
 /// Makes the unit once on a bus in memory: what it does not understand is told before a real link is opened.
 Result<void> rehearse(Console &console, const PlannedUnit &unit)
 {
-    const auto bus = makeSimulatedBus(kindOf(unit.link), console.clock(), 0, 1);
-    if (!bus)
-        return fail(bus.error());
-    const auto end = (*bus)->makeEnd(unit.link);
+    MB_TRY(const auto bus, makeSimulatedBus(kindOf(unit.link), console.clock(), 0, 1));
+    const auto end = bus->makeEnd(unit.link);
     const auto simulator = unit.family->simulate(*end, console.clock(), unit.unit);
     return simulator ? Result<void>() : fail(simulator.error());
 }
@@ -63,14 +57,12 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
         return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link->text()),
             say("use it directly"));
     if (link->scheme == "unix") {
-        if (auto good = UnixSpiServer::create(*link, console.clock()); !good)
-            return fail(good.error());
+        MB_TRY_VOID(UnixSpiServer::create(*link, console.clock()));
     }
     if (group.size() < 2)
         return fail(Fault::Usage, say("--on %1 names no device", link->text()), say("add one such as dmc60c:5"));
     if (link->scheme == "pty") {
-        if (auto good = PtyLine::create(*link, console.clock()); !good)
-            return fail(good.error());
+        MB_TRY_VOID(PtyLine::create(*link, console.clock()));
     }
     const bool isTwice = std::ranges::any_of(plan.links,
         [&link](const LinkAddress &other) { return other.scheme == link->scheme && other.path == link->path; });
@@ -98,14 +90,11 @@ Result<SimulatePlan> check(Console &console, const SimulateArguments &arguments)
         = arguments.seed.empty() ? Result<int>(1) : parseInteger("--seed", arguments.seed, 0, 1'000'000'000);
     if (!seed)
         return fail(seed.error());
-    const auto time = parseSpan(arguments.seconds);
-    if (!time)
-        return fail(time.error());
+    MB_TRY(const auto time, parseSpan(arguments.seconds));
     SimulatePlan plan;
-    plan.time = *time;
+    plan.time = time;
     for (const auto &group : arguments.on) {
-        if (auto added = addGroup(console, group, static_cast<std::uint64_t>(*seed), plan); !added)
-            return fail(added.error());
+        MB_TRY_VOID(addGroup(console, group, static_cast<std::uint64_t>(*seed), plan));
     }
     return plan;
 }

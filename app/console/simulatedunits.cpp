@@ -17,17 +17,13 @@ SimulatedUnits::SimulatedUnits(Console &console, bool events)
 
 Result<void> SimulatedUnits::add(const PlannedUnit &unit)
 {
-    const auto end = endOf(unit.link);
-    if (!end)
-        return fail(end.error());
-    auto simulator = unit.family->simulate(**end, m_console.clock(), unit.unit);
-    if (!simulator)
-        return fail(simulator.error());
-    m_units.push_back({std::move(*simulator), {}});
+    MB_TRY(const auto end, endOf(unit.link));
+    MB_TRY(auto simulator, unit.family->simulate(*end, m_console.clock(), unit.unit));
+    m_units.push_back({std::move(simulator), {}});
     Running &running = m_units.back();
     if (m_events)
         running.events = running.simulator->events().add(
-            [this, &link = **end, &running](const SimulatorEvent &event) { print(link, *running.simulator, event); });
+            [this, &link = *end, &running](const SimulatorEvent &event) { print(link, *running.simulator, event); });
     return {};
 }
 
@@ -38,12 +34,9 @@ Result<Link *> SimulatedUnits::endOf(const LinkAddress &address)
         if (const auto known = std::ranges::find_if(m_ends, same); known != m_ends.end())
             return known->get();
     }
-    auto end = makeEnd(address);
-    if (!end)
-        return fail(end.error());
-    if (auto opened = (*end)->open(); !opened)
-        return fail(opened.error());
-    m_ends.push_back(std::move(*end));
+    MB_TRY(auto end, makeEnd(address));
+    MB_TRY_VOID(end->open());
+    m_ends.push_back(std::move(end));
     return m_ends.back().get();
 }
 
@@ -56,12 +49,9 @@ Result<std::unique_ptr<Link>> SimulatedUnits::makeEnd(const LinkAddress &address
     const auto same = [&address](const Terminal &terminal) { return terminal.address == address; };
     auto terminal = std::ranges::find_if(m_terminals, same);
     if (terminal == m_terminals.end()) {
-        auto line = PtyLine::create(address, m_console.clock());
-        if (!line)
-            return fail(line.error());
-        if (auto opened = (*line)->open(); !opened)
-            return fail(opened.error());
-        terminal = m_terminals.insert(m_terminals.end(), {address, std::move(*line)});
+        MB_TRY(auto line, PtyLine::create(address, m_console.clock()));
+        MB_TRY_VOID(line->open());
+        terminal = m_terminals.insert(m_terminals.end(), {address, std::move(line)});
     }
     return terminal->line->makeEnd();
 }

@@ -4,6 +4,7 @@
 #include "app/console/console.h"
 #include "app/console/notebook.h"
 #include "app/console/target.h"
+#include "async/noncopyable.h"
 #include "experiment/experiment.h"
 #include "model/leaserenewal.h"
 #include "model/session.h"
@@ -39,11 +40,9 @@ using Performance = std::function<Task<int>(Session &, Device &)>;
 [[nodiscard]] Error putsNothingBack(const Error &trouble);
 
 /// What the experiments of one verb share with this program while they run: the notebook, the signals that end them, its notes.
-class Experimenting {
+class Experimenting : NonCopyable {
 public:
     Experimenting(Console &console, Session &session, Device &device, Notebook &notebook, int axis);
-    Experimenting(const Experimenting &) = delete;
-    Experimenting &operator=(const Experimenting &) = delete;
 
     [[nodiscard]] SetPointStream &stream() { return m_stream; }
     [[nodiscard]] tuning::ExperimentSurroundings surroundings();

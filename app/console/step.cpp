@@ -53,10 +53,8 @@ Result<std::optional<double>> optional(std::string_view name, const std::string 
 {
     if (text.empty())
         return std::optional<double>();
-    const auto number = parseNumber(name, text, low, high);
-    if (!number)
-        return fail(number.error());
-    return std::optional<double>(*number);
+    MB_TRY(const auto number, parseNumber(name, text, low, high));
+    return std::optional<double>(number);
 }
 
 Result<Mode> parseLoop(const Family &family, const std::string &text)
@@ -114,33 +112,22 @@ Result<void> parseNumbers(const Family &family, const StepArguments &a, Experime
 /// Everything that can be wrong before a device is asked.
 Result<StepPlan> check(const Console &console, const StepArguments &a)
 {
-    auto target = parseTarget(console, a.device);
-    if (!target)
-        return fail(target.error());
-    const Family &family = *target->family;
+    MB_TRY(auto target, parseTarget(console, a.device));
+    const Family &family = *target.family;
     if (!family.trials)
         return fail(
             Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
-    StepPlan plan{std::move(*target), {}, a.samples, a.save, a.yes};
-    if (auto writable = checkSave(a.save); !writable)
-        return fail(writable.error());
-    const auto mode = parseLoop(family, a.mode);
-    if (!mode)
-        return fail(mode.error());
-    const auto profile = parseProfile(a.profile);
-    if (!profile)
-        return fail(profile.error());
-    plan.experiment.mode = *mode;
-    plan.experiment.profile = *profile;
+    StepPlan plan{std::move(target), {}, a.samples, a.save, a.yes};
+    MB_TRY_VOID(checkSave(a.save));
+    MB_TRY(const auto mode, parseLoop(family, a.mode));
+    MB_TRY(const auto profile, parseProfile(a.profile));
+    plan.experiment.mode = mode;
+    plan.experiment.profile = profile;
     plan.experiment.keep = a.keep ? Keep::Always : Keep::Never;
-    if (auto numbers = parseNumbers(family, a, plan.experiment); !numbers)
-        return fail(numbers.error());
-    auto gains = parseAssignments(family, a.gains);
-    if (!gains)
-        return fail(gains.error());
-    plan.experiment.gains = std::move(*gains);
-    if (auto possible = checkPlan(family, plan.experiment); !possible)
-        return fail(possible.error());
+    MB_TRY_VOID(parseNumbers(family, a, plan.experiment));
+    MB_TRY(auto gains, parseAssignments(family, a.gains));
+    plan.experiment.gains = std::move(gains);
+    MB_TRY_VOID(checkPlan(family, plan.experiment));
     return plan;
 }
 

@@ -50,34 +50,28 @@ Result<const Family *> parseFamily(std::span<const Family *const> families, std:
 
 Result<Target> parseTarget(const Console &console, std::string_view text)
 {
-    auto selector = DeviceSelector::parse(text);
-    if (!selector)
-        return fail(selector.error());
-    auto family = parseFamily(console.families(), selector->family);
-    if (!family)
-        return fail(family.error());
-    const Capabilities &can = (*family)->capabilities;
-    if (selector->address < can.firstAddress || selector->address > can.lastAddress)
-        return fail(Fault::OutOfRange, say("%1: %2 is out of range", (*family)->key, selector->address),
+    MB_TRY(auto selector, DeviceSelector::parse(text));
+    MB_TRY(auto family, parseFamily(console.families(), selector.family));
+    const Capabilities &can = family->capabilities;
+    if (selector.address < can.firstAddress || selector.address > can.lastAddress)
+        return fail(Fault::OutOfRange, say("%1: %2 is out of range", family->key, selector.address),
             say("legal is %1 … %2", can.firstAddress, can.lastAddress));
-    for (const LinkAddress &link : expandLink(selector->link, console.families())) {
-        if (!serves(**family, kindOf(link)))
+    for (const LinkAddress &link : expandLink(selector.link, console.families())) {
+        if (!serves(*family, kindOf(link)))
             continue;
-        selector->link = link;
-        return Target{std::move(*selector), *family};
+        selector.link = link;
+        return Target{std::move(selector), family};
     }
-    return fail(Fault::Usage, say("%1 is not found on a %2 link", (*family)->key, toString(kindOf(selector->link))),
-        say("a %1 link is needed", toString((*family)->links.front())));
+    return fail(Fault::Usage, say("%1 is not found on a %2 link", family->key, toString(kindOf(selector.link))),
+        say("a %1 link is needed", toString(family->links.front())));
 }
 
 Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
 {
     std::vector<LinkAddress> links;
     for (const std::string &text : texts) {
-        auto address = LinkAddress::parse(text);
-        if (!address)
-            return fail(address.error());
-        for (LinkAddress &link : expandLink(*address, console.families())) {
+        MB_TRY(auto address, LinkAddress::parse(text));
+        for (LinkAddress &link : expandLink(address, console.families())) {
             if (std::ranges::find(links, link) == links.end())
                 links.push_back(std::move(link));
         }
@@ -252,10 +246,8 @@ Result<std::optional<Duration>> parseSpan(const std::string &text)
 {
     if (text.empty())
         return std::optional<Duration>();
-    const auto seconds = parseNumber("--for", text, 0.001, 1e8);
-    if (!seconds)
-        return fail(seconds.error());
-    return std::optional<Duration>(fromSeconds(*seconds));
+    MB_TRY(const auto seconds, parseNumber("--for", text, 0.001, 1e8));
+    return std::optional<Duration>(fromSeconds(seconds));
 }
 
 } // namespace mb::console

@@ -39,23 +39,18 @@ Result<Changes> parse(const TrialsArguments &a)
     for (const auto &[option, isGiven, text, number] : numbers) {
         if (!isGiven)
             continue;
-        const auto parsed = parseInteger(option, text, 1, mostTrials);
-        if (!parsed)
-            return fail(parsed.error());
-        *number = *parsed;
+        MB_TRY(const auto parsed, parseInteger(option, text, 1, mostTrials));
+        *number = parsed;
     }
-    if (auto plain = a.note.empty() ? Result<void>() : checkName("a note", a.note.back()); !plain)
-        return fail(plain.error());
+    MB_TRY_VOID(a.note.empty() ? Result<void>() : checkName("a note", a.note.back()));
     return changes;
 }
 
 Result<void> change(TrialBook &book, const Changes &changes, const TrialsArguments &a)
 {
     if (changes.star) {
-        const auto kept = book.find(*changes.star);
-        if (!kept)
-            return fail(kept.error());
-        if (auto starred = book.setStar(*changes.star, !kept->star); !starred)
+        MB_TRY(const auto kept, book.find(*changes.star));
+        if (auto starred = book.setStar(*changes.star, !kept.star); !starred)
             return starred;
     }
     if (changes.note) {

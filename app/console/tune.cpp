@@ -69,44 +69,32 @@ Result<void> parseAim(const TuneArguments &a, TunePlan &plan)
         return fail(Fault::Usage, say("--aim and --response exclude each other"), say("give one of them"));
     if (a.response.empty())
         return {};
-    const auto response = parseNumber("--response", a.response, 1e-4, 100.0);
-    const auto ms = parseNumber("--damping", a.damping, leastMs, mostMs);
-    if (!response)
-        return fail(response.error());
-    if (!ms)
-        return fail(ms.error());
-    plan.response = *response;
-    plan.ms = *ms;
+    MB_TRY(const auto response, parseNumber("--response", a.response, 1e-4, 100.0));
+    MB_TRY(const auto ms, parseNumber("--damping", a.damping, leastMs, mostMs));
+    plan.response = response;
+    plan.ms = ms;
     return {};
 }
 
 /// Everything that can be wrong before a device is asked.
 Result<TuneOrder> check(const Console &console, const TuneArguments &a)
 {
-    auto target = parseTarget(console, a.device);
-    if (!target)
-        return fail(target.error());
-    const Family &family = *target->family;
-    TuneOrder plan{std::move(*target), {}, a.save, a.store, a.yes};
-    if (auto writable = checkSave(a.save); !writable)
-        return fail(writable.error());
+    MB_TRY(auto target, parseTarget(console, a.device));
+    const Family &family = *target.family;
+    TuneOrder plan{std::move(target), {}, a.save, a.store, a.yes};
+    MB_TRY_VOID(checkSave(a.save));
     plan.tuning.propose = a.propose;
     plan.tuning.keep = a.keep;
     if (a.propose && (a.store || a.keep))
         return fail(
             Fault::Usage, say("--propose writes nothing, so nothing is stored or kept"), say("leave one of them out"));
-    if (auto loop = parseLoop(family, a.loop, plan.tuning); !loop)
-        return fail(loop.error());
-    if (auto aim = parseAim(a, plan.tuning); !aim)
-        return fail(aim.error());
-    const auto where = a.where.parse(family);
-    if (!where)
-        return fail(where.error());
-    plan.tuning.axis = where->axis;
-    plan.tuning.slot = where->slot;
-    plan.tuning.limits = where->limits;
-    if (auto possible = checkTuning(family, plan.tuning); !possible)
-        return fail(possible.error());
+    MB_TRY_VOID(parseLoop(family, a.loop, plan.tuning));
+    MB_TRY_VOID(parseAim(a, plan.tuning));
+    MB_TRY(const auto where, a.where.parse(family));
+    plan.tuning.axis = where.axis;
+    plan.tuning.slot = where.slot;
+    plan.tuning.limits = where.limits;
+    MB_TRY_VOID(checkTuning(family, plan.tuning));
     return plan;
 }
 

@@ -31,28 +31,18 @@ struct WatchPlan {
 
 Result<WatchPlan> check(const Console &console, const WatchArguments &arguments)
 {
-    auto target = parseTarget(console, arguments.device);
-    if (!target)
-        return fail(target.error());
-    auto watched = parseWatched(*target->family, arguments.channels);
-    if (!watched)
-        return fail(watched.error());
-    const auto time = parseSpan(arguments.seconds);
-    if (!time)
-        return fail(time.error());
-    WatchPlan plan{std::move(*target), std::move(*watched), *time, 0.0};
+    MB_TRY(auto target, parseTarget(console, arguments.device));
+    MB_TRY(auto watched, parseWatched(*target.family, arguments.channels));
+    MB_TRY(const auto time, parseSpan(arguments.seconds));
+    WatchPlan plan{std::move(target), std::move(watched), time, 0.0};
     if (!arguments.to.empty()) {
-        auto address = PublishAddress::parse(arguments.to);
-        if (!address)
-            return fail(address.error());
-        plan.to = std::move(*address);
+        MB_TRY(auto address, PublishAddress::parse(arguments.to));
+        plan.to = std::move(address);
     }
     if (arguments.rate.empty())
         return plan;
-    const auto rate = parseNumber("--rate", arguments.rate, 0.01, fastest);
-    if (!rate)
-        return fail(rate.error());
-    plan.rate = *rate;
+    MB_TRY(const auto rate, parseNumber("--rate", arguments.rate, 0.01, fastest));
+    plan.rate = rate;
     return plan;
 }
 

@@ -7,19 +7,18 @@
 #include "app/engine/rollcall.h"
 #include "app/engine/servicejobs.h"
 #include "app/engine/snapshotpublisher.h"
+#include "async/noncopyable.h"
 #include "widgets/orders/reply.h"
 
 namespace mb {
 
 /// The engine thread's half of the door: the session, and parts by responsibility that carry out orders and look after what goes on
 /// by itself. Knows no Qt and no thread, so that tests drive it on a virtual clock.
-class EngineCore {
+class EngineCore : NonCopyable {
 public:
     /// `opensByItself`: also opens CAN interfaces that are up, as they come (docs/names.md#links).
     /// `guard` watches over motors without a watchdog, and outlives this.
     EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard = nullptr);
-    EngineCore(const EngineCore &) = delete;
-    EngineCore &operator=(const EngineCore &) = delete;
     /// Stops every motor; whoever waits for an answer has one.
     ~EngineCore();
 

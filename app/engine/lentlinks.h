@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/engine/scans.h"
+#include "async/noncopyable.h"
 
 #include <cstddef>
 #include <string>
@@ -11,15 +12,13 @@ namespace mb {
 
 /// The links that are lent to whoever serves units there: the engine begins nothing on them meanwhile (Operations::lend), and no scan
 /// waits for them. Engine thread.
-class LentLinks {
+class LentLinks : NonCopyable {
 public:
     LentLinks(const EngineContext &context, Scans &scans)
         : m_context(context)
         , m_scans(scans)
     {
     }
-    LentLinks(const LentLinks &) = delete;
-    LentLinks &operator=(const LentLinks &) = delete;
     ~LentLinks() { giveBack(); }
 
     /// All of them, or none, and then those before are meant still. Those before have been given back. Refused: there is none; Timeout:

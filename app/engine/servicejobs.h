@@ -3,6 +3,7 @@
 
 #include "app/engine/lentlinks.h"
 #include "app/engine/stationpermit.h"
+#include "async/noncopyable.h"
 #include "storage/journalserver.h"
 #include "widgets/common/serviceview.h"
 #include "widgets/orders/serviceorders.h"
@@ -12,7 +13,7 @@
 namespace mb {
 
 /// Units that are served in the engine's session: the queue on links that are lent to it, and what the window sees of it. Engine thread.
-class ServiceJobs {
+class ServiceJobs : NonCopyable {
 public:
     /// Who writes down what becomes of a unit; they outlive this.
     struct Books {
@@ -21,8 +22,6 @@ public:
         tuning::ExperimentJournal *trials = nullptr;
     };
     ServiceJobs(const EngineContext &context, Scans &scans);
-    ServiceJobs(const ServiceJobs &) = delete;
-    ServiceJobs &operator=(const ServiceJobs &) = delete;
     ~ServiceJobs();
 
     /// Without a journal of visits nothing is served (Unsupported); what is served is cut off and stays open in the journal before.

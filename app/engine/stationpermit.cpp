@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/stationpermit.h"
 
+#include "async/noncopyable.h"
 #include "model/device.h"
 #include "model/session.h"
 
@@ -14,15 +15,13 @@ constexpr Duration awakeEvery = std::chrono::seconds(1);
 constexpr Duration asleep = std::chrono::milliseconds(20); ///< less is two clocks that are not read at one instant
 
 /// One more, as long as it lives.
-class Counted {
+class Counted : NonCopyable {
 public:
     explicit Counted(int &count)
         : m_count(count)
     {
         ++m_count;
     }
-    Counted(const Counted &) = delete;
-    Counted &operator=(const Counted &) = delete;
     ~Counted() { --m_count; }
 
 private:

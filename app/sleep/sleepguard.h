@@ -3,6 +3,7 @@
 
 #include "app/sleep/sleepinhibitor.h"
 #include "async/clock.h"
+#include "async/noncopyable.h"
 
 #include <functional>
 
@@ -13,11 +14,9 @@ class Session;
 /// Keeps the computer awake while a motor of a session is driven, or still turns afterwards, and while a device is busy with its
 /// firmware. Simulated devices end with this program, and may sleep. `also` is asked for work of another kind that must not be
 /// interrupted, such as the service of a unit. The thread of the session, which outlives this.
-class SleepGuard {
+class SleepGuard : NonCopyable {
 public:
     SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor, std::function<bool()> also = {});
-    SleepGuard(const SleepGuard &) = delete;
-    SleepGuard &operator=(const SleepGuard &) = delete;
     ~SleepGuard();
 
 private:

@@ -3,15 +3,13 @@
 
 #include "async/listeners.h"
 #include "async/message.h"
+#include "async/noncopyable.h"
 
 namespace mb {
 
 /// Can keep the computer from being suspended. One thread.
-class SleepInhibitor {
+class SleepInhibitor : NonCopyable {
 public:
-    SleepInhibitor() = default;
-    SleepInhibitor(const SleepInhibitor &) = delete;
-    SleepInhibitor &operator=(const SleepInhibitor &) = delete;
     virtual ~SleepInhibitor() = default;
 
     /// From now on, or no longer. Never waits.

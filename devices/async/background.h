@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/event.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 
 #include <atomic>
@@ -15,11 +16,8 @@ namespace mb {
 
 /// Where work is done that may block: opening a port, writing to a disk. What is under way in one lane is done in its order; lanes do
 /// not wait for each other, so one port that hangs holds up nothing but itself.
-class Background {
+class Background : NonCopyable {
 public:
-    Background() = default;
-    Background(const Background &) = delete;
-    Background &operator=(const Background &) = delete;
     virtual ~Background() = default;
 
     /// `work` in a thread where it may block, then `done` in the thread that called this, from its event loop. `work` is destroyed
@@ -43,13 +41,11 @@ template <class T>
         Event ended;
     };
     const auto job = std::make_shared<Job>();
-    struct Leave {
+    struct Leave : private NonCopyable {
         explicit Leave(std::atomic<bool> &late)
             : isLate(late)
         {
         }
-        Leave(const Leave &) = delete;
-        Leave &operator=(const Leave &) = delete;
         ~Leave() { isLate = true; }
         std::atomic<bool> &isLate;
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <condition_variable>
@@ -17,7 +18,7 @@ namespace mb {
 /// A text file written by a thread of its own, so that no disk ever holds up who writes. Records that are taken are written in
 /// their order; what cannot be taken or written is counted, never silently gone, and a full disk leaves no half of one. Plain C++, for
 /// ThreadSanitizer.
-class BackgroundFile {
+class BackgroundFile : NonCopyable {
 public:
     static constexpr std::size_t mostWaiting = 64 * 1024 * 1024; ///< bytes in memory, then nothing more is taken
 
@@ -31,8 +32,6 @@ public:
 
     /// Makes the file, or empties it. LinkLost with cause and remedy when that cannot be.
     [[nodiscard]] static Result<std::unique_ptr<BackgroundFile>> create(const std::string &path);
-    BackgroundFile(const BackgroundFile &) = delete;
-    BackgroundFile &operator=(const BackgroundFile &) = delete;
     /// finish(), and waits for it.
     ~BackgroundFile();
 

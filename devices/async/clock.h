@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -17,13 +19,10 @@ using Instant = std::chrono::time_point<std::chrono::steady_clock, Duration>;
 /// The only source of time below `app`. Single-threaded: arm, disarm and the callbacks belong to one thread.
 /// Callbacks run in the order of their deadlines, those of one deadline in the order they were armed, and may arm and
 /// disarm freely.
-class Clock {
+class Clock : NonCopyable {
 public:
     using Key = std::pair<Instant, std::uint64_t>;
 
-    Clock() = default;
-    Clock(const Clock &) = delete;
-    Clock &operator=(const Clock &) = delete;
     virtual ~Clock() = default;
 
     [[nodiscard]] virtual Instant now() const = 0;
@@ -54,14 +53,12 @@ private:
 };
 
 /// One deadline that its owner can move or drop; dropped with its owner.
-class Timer {
+class Timer : NonCopyable {
 public:
     explicit Timer(Clock &clock)
         : m_clock(clock)
     {
     }
-    Timer(const Timer &) = delete;
-    Timer &operator=(const Timer &) = delete;
     ~Timer() { stop(); }
 
     void start(Instant deadline, std::function<void()> work);

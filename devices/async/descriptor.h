@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <unistd.h>
 
 #include <utility>
@@ -8,14 +10,12 @@
 namespace mb {
 
 /// A descriptor of the system that is closed with its owner; -1 is none.
-class Descriptor {
+class Descriptor : NonCopyable {
 public:
     explicit Descriptor(int descriptor)
         : m_descriptor(descriptor)
     {
     }
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
     ~Descriptor()
     {
         if (m_descriptor >= 0)

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <coroutine>
 #include <utility>
 
 namespace mb {
 
 /// Something that one task waits for and somebody else announces. `co_await event.wait();` goes on at once when it was set.
-class Event {
+class Event : NonCopyable {
 public:
-    Event() = default;
-    Event(const Event &) = delete;
-    Event &operator=(const Event &) = delete;
-
     void set()
     {
         m_set = true;
@@ -21,14 +19,12 @@ public:
     }
     [[nodiscard]] bool isSet() const { return m_set; }
 
-    class Wait {
+    class Wait : NonCopyable {
     public:
         explicit Wait(Event &event)
             : m_event(event)
         {
         }
-        Wait(const Wait &) = delete;
-        Wait &operator=(const Wait &) = delete;
         ~Wait() { m_event.m_waiting = {}; }
         [[nodiscard]] bool await_ready() const noexcept { return m_event.m_set; }
         void await_suspend(std::coroutine_handle<> handle) noexcept { m_event.m_waiting = handle; }

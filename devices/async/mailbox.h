@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -10,11 +12,9 @@ namespace mb {
 
 /// The one way across threads: functions posted by any thread, run by the thread that drains. Plain C++ and an eventfd,
 /// so that ThreadSanitizer can judge it without Qt.
-class Mailbox {
+class Mailbox : NonCopyable {
 public:
     Mailbox();
-    Mailbox(const Mailbox &) = delete;
-    Mailbox &operator=(const Mailbox &) = delete;
     ~Mailbox();
 
     /// Any thread. False after close(): the work was not taken.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <string>
@@ -14,11 +15,9 @@ namespace mb {
 /// pipe) is written to directly. Nothing counts as written before commit() has said so. Any thread, one at a time.
 ///
 /// Streams that must be readable while they grow (recordings) are BackgroundFile and McapWriter.
-class OutputFile {
+class OutputFile : NonCopyable {
 public:
     explicit OutputFile(std::string path);
-    OutputFile(const OutputFile &) = delete;
-    OutputFile &operator=(const OutputFile &) = delete;
     ~OutputFile();
 
     /// OutOfRange with cause and remedy when nothing can be written there. Nothing is changed by it.

@@ -88,3 +88,19 @@ template <class T> using Result = tl::expected<T, Error>;
 [[nodiscard]] std::string_view toString(Fault fault);
 
 } // namespace mb
+
+/// What `co_await` is in a Task, for a plain function that yields a Result: the value, or the end of the function with the
+/// same error. A statement of its own in a block: `MB_TRY(const auto index, parseKey(family, key));`
+#define MB_TRY(declaration, ...)                                                                                       \
+    auto MB_NAME_OF_LINE(tried, __LINE__) = __VA_ARGS__;                                                               \
+    if (!MB_NAME_OF_LINE(tried, __LINE__))                                                                             \
+        return ::mb::fail(std::move(MB_NAME_OF_LINE(tried, __LINE__)).error());                                        \
+    declaration = *std::move(MB_NAME_OF_LINE(tried, __LINE__))
+
+/// The same of a Result<void>, or of a value that nobody wants: `MB_TRY_VOID(check(options));`
+#define MB_TRY_VOID(...)                                                                                               \
+    if (auto MB_NAME_OF_LINE(tried, __LINE__) = __VA_ARGS__; !MB_NAME_OF_LINE(tried, __LINE__))                        \
+    return ::mb::fail(std::move(MB_NAME_OF_LINE(tried, __LINE__)).error())
+
+#define MB_NAME_OF_LINE(name, line) MB_JOINED(name, line)
+#define MB_JOINED(name, line) name##line

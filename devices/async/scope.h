@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 
 #include <list>
@@ -11,14 +12,12 @@ namespace mb {
 
 /// Owns tasks that nobody awaits. Destroying the scope cancels what still runs. `finished` gets the result; it runs
 /// after the task's last step, from the clock, so that it may destroy the scope.
-class Scope {
+class Scope : NonCopyable {
 public:
     explicit Scope(Clock &clock)
         : m_clock(clock)
     {
     }
-    Scope(const Scope &) = delete;
-    Scope &operator=(const Scope &) = delete;
     ~Scope() { clear(); }
 
     template <class T> void spawn(Task<T> task, std::function<void(Result<T>)> finished = {})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <coroutine>
@@ -21,7 +22,7 @@ template <class T> class Task;
 
 namespace detail {
 
-class AnyPromise {
+class AnyPromise : NonCopyable {
 public:
     struct Final {
         AnyPromise &self;
@@ -29,10 +30,6 @@ public:
         void await_suspend(std::coroutine_handle<>) noexcept { self.finish(); }
         void await_resume() noexcept { }
     };
-
-    AnyPromise() = default;
-    AnyPromise(const AnyPromise &) = delete;
-    AnyPromise &operator=(const AnyPromise &) = delete;
 
     std::suspend_always initial_suspend() noexcept { return {}; }
     Final final_suspend() noexcept { return Final{*this}; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 
 #include <coroutine>
 #include <deque>
@@ -11,14 +12,12 @@ namespace mb {
 
 /// Where only one may talk at a time: `const Turns::Turn turn = co_await turns.take();` goes on when everybody who asked
 /// before has let go. Letting go is the destruction of the turn. Outlives turns and waiters.
-class Turns {
+class Turns : NonCopyable {
 public:
     explicit Turns(Clock &clock)
         : m_next(clock)
     {
     }
-    Turns(const Turns &) = delete;
-    Turns &operator=(const Turns &) = delete;
 
     class [[nodiscard]] Turn {
     public:
@@ -41,14 +40,12 @@ public:
         Turns *m_turns;
     };
 
-    class Take {
+    class Take : NonCopyable {
     public:
         explicit Take(Turns &turns)
             : m_turns(turns)
         {
         }
-        Take(const Take &) = delete;
-        Take &operator=(const Take &) = delete;
         ~Take() { m_turns.forget(this); }
         [[nodiscard]] bool await_ready() noexcept
         {

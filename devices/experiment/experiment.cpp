@@ -30,8 +30,7 @@ Result<void> checkPlan(const Family &family, const ExperimentPlan &plan)
     if (plan.repeat < 1)
         return fail(Fault::OutOfRange, say("an experiment is run once at least"));
     const double beat = inSeconds(family.capabilities.commandPeriod);
-    if (auto stimulus = Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds, beat); !stimulus)
-        return fail(stimulus.error());
+    MB_TRY_VOID(Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds, beat));
     for (const ParameterChange &change : plan.gains) {
         if (auto tried = checkTried(family, change.index); !tried)
             return tried;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "experiment/direction.h"
 #include "experiment/experimentmotion.h"
 #include "experiment/raisedrates.h"
@@ -8,11 +9,9 @@
 namespace mb::tuning {
 
 /// The stages of one experiment and what they share. Lives in the frame of runExperiment(); its tasks end before it.
-class ExperimentRun {
+class ExperimentRun : NonCopyable {
 public:
     ExperimentRun(Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings);
-    ExperimentRun(const ExperimentRun &) = delete;
-    ExperimentRun &operator=(const ExperimentRun &) = delete;
     ~ExperimentRun();
 
     /// Reads what it must know and refuses what it must; nothing is changed.

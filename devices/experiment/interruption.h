@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "model/setpointstream.h"
 
 #include <utility>
@@ -28,7 +29,7 @@ private:
 
 /// A story that moves the motor by this stream, from its construction to its destruction; one in the other where a tuning makes
 /// experiments. Interruption and stream outlive it.
-class Interruptible {
+class Interruptible : NonCopyable {
 public:
     /// nullptr: nobody can interrupt.
     Interruptible(Interruption *interruption, SetPointStream &stream)
@@ -39,8 +40,6 @@ public:
         m_outer = std::exchange(m_interruption->m_stream, &stream);
         stream.setCalledOff(&m_interruption->m_isRequested);
     }
-    Interruptible(const Interruptible &) = delete;
-    Interruptible &operator=(const Interruptible &) = delete;
     ~Interruptible()
     {
         if (!m_interruption)

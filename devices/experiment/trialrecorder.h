@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "experiment/guards.h"
 #include "experiment/recentextremes.h"
 #include "experiment/trial.h"
@@ -10,11 +11,9 @@ namespace mb::tuning {
 
 /// Keeps the samples of one axis while a trial runs, and shows each to the guards: the first trip stops the motor inside the
 /// same call that brought the sample. From its construction on.
-class TrialRecorder {
+class TrialRecorder : NonCopyable {
 public:
     TrialRecorder(Device &device, SetPointStream &stream, Mode mode, int axis);
-    TrialRecorder(const TrialRecorder &) = delete;
-    TrialRecorder &operator=(const TrialRecorder &) = delete;
 
     /// Watches from now on; what tripped before is forgotten.
     void guard(const GuardPlan &plan);

@@ -22,10 +22,8 @@ Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
             return fail(Fault::OutOfRange, say("%1 is not in this program", path));
         return resource.readAll();
     }
-    auto text = readTextFile(path, static_cast<std::size_t>(limit));
-    if (!text)
-        return fail(text.error());
-    return QByteArray::fromStdString(*text);
+    MB_TRY(auto text, readTextFile(path, static_cast<std::size_t>(limit)));
+    return QByteArray::fromStdString(text);
 }
 
 } // namespace mb

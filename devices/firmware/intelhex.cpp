@@ -270,8 +270,7 @@ Result<FirmwareImage> FirmwareImage::fromIntelHex(std::string_view text)
     if (text.size() > maxTextSize)
         return fail(Fault::OutOfRange, say("the text is longer than %1 MiB", maxTextSize >> 20U));
     IntelHexReader reader;
-    if (auto status = reader.read(text); !status)
-        return fail(status.error());
+    MB_TRY_VOID(reader.read(text));
     auto image = reader.join();
     if (image)
         image->keepLines(text);

@@ -33,10 +33,8 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
         } else if (key == "bitrate") {
             good = takeNumber(value, options.bitrate) && options.bitrate > 0;
         } else if (key == "fault") {
-            auto fault = SimulatedFault::parse(value);
-            if (!fault)
-                return fail(fault.error());
-            options.faults.push_back(*fault);
+            MB_TRY(auto fault, SimulatedFault::parse(value));
+            options.faults.push_back(fault);
             good = true;
         } else {
             return fail(Fault::OutOfRange, say("unknown option '%1' of a simulated link", key),
@@ -70,24 +68,19 @@ Bench::Bench(LinkAddress address, Clock &outer, std::uint64_t seed)
 Result<std::unique_ptr<Bench>> Bench::create(
     const LinkAddress &address, Clock &clock, std::span<const Family *const> families)
 {
-    auto options = parseOptions(address);
-    if (!options)
-        return fail(options.error());
+    MB_TRY(auto options, parseOptions(address));
     if (address.path.empty())
         return fail(Fault::Unsupported, say("sim: stands for several links"), say("name one, such as sim:can"));
-    std::unique_ptr<Bench> bench(new Bench(address, clock, options->seed));
-    auto bus = makeSimulatedBus(kindOf(address), bench->m_clock, options->bitrate, options->seed);
-    if (!bus)
-        return fail(bus.error());
-    bench->m_bus = std::move(*bus);
-    bench->m_bus->setLoss(options->loss);
-    for (const SimulatedFault &fault : options->faults) {
+    std::unique_ptr<Bench> bench(new Bench(address, clock, options.seed));
+    MB_TRY(auto bus, makeSimulatedBus(kindOf(address), bench->m_clock, options.bitrate, options.seed));
+    bench->m_bus = std::move(bus);
+    bench->m_bus->setLoss(options.loss);
+    for (const SimulatedFault &fault : options.faults) {
         if (fault.kind == "busoff")
             bench->m_busOffAt = fault.at;
     }
-    std::erase_if(options->faults, [](const SimulatedFault &fault) { return fault.kind == "busoff"; });
-    if (auto populated = bench->populate(families, options->faults); !populated)
-        return fail(populated.error());
+    std::erase_if(options.faults, [](const SimulatedFault &fault) { return fault.kind == "busoff"; });
+    MB_TRY_VOID(bench->populate(families, options.faults));
     if (bench->m_simulators.empty())
         return fail(Fault::Unsupported, say("this build simulates no devices on sim:%1", address.path));
     return bench;
@@ -100,18 +93,16 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
         if (!serves(*family, kindOf(m_address)) || !family->simulate)
             continue;
         for (const std::string_view text : family->bench) {
-            auto unit = SimulatedUnit::parse(text);
-            if (!unit)
-                return fail(unit.error());
+            MB_TRY(auto unit, SimulatedUnit::parse(text));
             for (std::size_t i = 0; i < faults.size(); ++i) {
                 const auto closed = m_bus->makeEnd(m_address);
-                if (!hasFault(*family, *unit, faults[i], *closed, m_clock))
+                if (!hasFault(*family, unit, faults[i], *closed, m_clock))
                     continue;
                 known[i] = true;
-                unit->faults.push_back(faults[i]);
+                unit.faults.push_back(faults[i]);
             }
-            unit->seed = m_seed * 1000 + m_simulators.size();
-            if (auto added = addUnit(*family, std::move(*unit)); !added)
+            unit.seed = m_seed * 1000 + m_simulators.size();
+            if (auto added = addUnit(*family, std::move(unit)); !added)
                 return added;
         }
     }
@@ -127,11 +118,9 @@ Result<void> Bench::addUnit(const Family &family, SimulatedUnit unit)
     auto link = m_bus->makeEnd(m_address);
     if (auto opened = link->open(); !opened)
         return opened;
-    auto simulator = family.simulate(*link, m_clock, unit);
-    if (!simulator)
-        return fail(simulator.error());
+    MB_TRY(auto simulator, family.simulate(*link, m_clock, unit));
     m_links.push_back(std::move(link));
-    m_simulators.push_back(std::move(*simulator));
+    m_simulators.push_back(std::move(simulator));
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "transport/link.h"
 
 #include <cstdint>
@@ -35,11 +36,8 @@ struct DecodedBytes {
 
 /// Finds the frames of one family in what passes one serial link; keeps what it needs of earlier bytes, each direction for
 /// itself (a request tells how its answer reads). Pure: no clock, no link.
-class ByteDecoder {
+class ByteDecoder : NonCopyable {
 public:
-    ByteDecoder() = default;
-    ByteDecoder(const ByteDecoder &) = delete;
-    ByteDecoder &operator=(const ByteDecoder &) = delete;
     virtual ~ByteDecoder() = default;
 
     /// Takes a chunk as it passed and appends what is certain now: every byte comes out once, in the order of its direction.

@@ -25,8 +25,6 @@ namespace mb {
 /// destroyed before it; one of its tasks at a time.
 class Device : public Stoppable, public DeviceDriver {
 public:
-    Device(const Device &) = delete;
-    Device &operator=(const Device &) = delete;
     virtual ~Device();
 
     [[nodiscard]] Link &link() const override { return m_link; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "model/device.h"
 #include "model/family.h"
 #include "model/linkbook.h"
@@ -25,7 +26,7 @@ struct DeviceId {
 };
 
 /// The devices of a session, each with its id and its set-point stream. Thread of the session.
-class DeviceBook {
+class DeviceBook : NonCopyable {
 public:
     struct Entry {
         DeviceId id;
@@ -40,8 +41,6 @@ public:
 
     /// All of them outlive it. Without a guard, devices that have no watchdog cannot be driven on real links.
     DeviceBook(Clock &clock, LinkBook &links, SessionMemory &memory, MotionGuard *guard);
-    DeviceBook(const DeviceBook &) = delete;
-    DeviceBook &operator=(const DeviceBook &) = delete;
 
     /// For devices found from now on: where recordings go beyond their memory budget, and what keeps them from being driven.
     void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_store = std::move(store); }

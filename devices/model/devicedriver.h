@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/progress.h"
 #include "async/task.h"
 #include "model/parameter.h"
@@ -25,11 +26,8 @@ struct FaultRecord {
 
 /// What a family implements of a device, besides Stoppable. What is public is asked as it stands; the rest Device calls, after the
 /// checks that all families have in common, and says there what each has to do. Engine thread.
-class DeviceDriver {
+class DeviceDriver : NonCopyable {
 public:
-    DeviceDriver(const DeviceDriver &) = delete;
-    DeviceDriver &operator=(const DeviceDriver &) = delete;
-
     [[nodiscard]] const Family &family() const { return m_family; }
     /// False for a parameter of the family's table that this device's dialect does not have.
     [[nodiscard]] virtual bool offers(ParameterIndex) const { return true; }

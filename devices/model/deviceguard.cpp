@@ -55,10 +55,8 @@ Result<void> DeviceGuard::call()
     if (script.isEmpty())
         return fail(Fault::Unsupported, say("it is not known how to stop this device from outside"));
     drop(); // the old one first: two would send on one line
-    auto watch = m_source->watch(m_device.link(), script, m_device.selector());
-    if (!watch)
-        return fail(watch.error());
-    m_watch = std::move(*watch);
+    MB_TRY(auto watch, m_source->watch(m_device.link(), script, m_device.selector()));
+    m_watch = std::move(watch);
     m_lapsed = false;
     m_renewedAt = m_device.clock().now();
     m_watchChanged = m_watch->changed().add([this] { m_changed.notify(); });

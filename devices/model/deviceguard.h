@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "model/motionguard.h"
 
 #include <memory>
@@ -12,11 +13,9 @@ class Stoppable;
 
 /// Keeps a device without a watchdog under guard while it may be driven (docs/architecture.md#guardian). Nothing of it is needed
 /// for devices with a watchdog, and for simulated ones, which end with this process. Engine thread.
-class DeviceGuard {
+class DeviceGuard : NonCopyable {
 public:
     explicit DeviceGuard(Stoppable &device);
-    DeviceGuard(const DeviceGuard &) = delete;
-    DeviceGuard &operator=(const DeviceGuard &) = delete;
     ~DeviceGuard();
 
     /// Where guardians come from; nullptr: none. Outlives the device.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "model/deviceprofile.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
@@ -21,12 +22,10 @@ class DeviceKnowledge;
 
 /// An order to set what cannot be read back, from when it is given: ended without settle(), whoever gave it was cut, and nobody knows
 /// whether it had gone out, so that the value is in doubt. May outlive the knowledge.
-class UnsettledWrite {
+class UnsettledWrite : NonCopyable {
 public:
     UnsettledWrite() = default;
     UnsettledWrite(std::weak_ptr<DeviceKnowledge *> knowledge, ParameterIndex index);
-    UnsettledWrite(const UnsettledWrite &) = delete;
-    UnsettledWrite &operator=(const UnsettledWrite &) = delete;
     ~UnsettledWrite();
 
     void settle() { m_knowledge.reset(); }
@@ -37,12 +36,10 @@ private:
 };
 
 /// What this program knows of a device that the device cannot tell: its profile, and what follows from it. Engine thread.
-class DeviceKnowledge {
+class DeviceKnowledge : NonCopyable {
 public:
     /// `parameters` of the device outlive it.
     DeviceKnowledge(const Family &family, ParameterStore &parameters, const Identity &identity);
-    DeviceKnowledge(const DeviceKnowledge &) = delete;
-    DeviceKnowledge &operator=(const DeviceKnowledge &) = delete;
 
     [[nodiscard]] const DeviceProfile &profile() const { return *m_profile; }
     /// The same object until it changes; for other threads.

@@ -62,10 +62,8 @@ Result<DeviceProfile> ProfileBook::load(std::string_view key) const
     const std::string path = pathOf(key);
     if (!QFile::exists(qt(path)))
         return DeviceProfile();
-    const auto bytes = loadFile(path, greatestProfile);
-    if (!bytes)
-        return fail(bytes.error());
-    if (auto profile = parse(*bytes))
+    MB_TRY(const auto bytes, loadFile(path, greatestProfile));
+    if (auto profile = parse(bytes))
         return *profile;
     const QString aside = qt(path) + QStringLiteral(".damaged");
     QFile::remove(aside);

@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 
 namespace mb {
 
@@ -27,14 +28,12 @@ enum class StopState {
 
 /// Follows each stop of a device until it is seen to stand: repeats it, keeps it while the link is gone, and says when nobody
 /// knows. One for all families: what is sent is the family's. Engine thread.
-class DeviceStop {
+class DeviceStop : NonCopyable {
 public:
     /// No stop is owed for longer.
     static constexpr Duration debtLimit = std::chrono::minutes(10);
 
     explicit DeviceStop(Stoppable &device);
-    DeviceStop(const DeviceStop &) = delete;
-    DeviceStop &operator=(const DeviceStop &) = delete;
 
     [[nodiscard]] StopState state() const { return m_state; }
     /// This program has set the device in motion and has not seen it stand since.

@@ -37,9 +37,7 @@ Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
     const auto slash = text.find_last_of('/');
     if (slash == std::string_view::npos)
         return bad();
-    auto link = LinkAddress::parse(text.substr(0, slash));
-    if (!link)
-        return fail(link.error());
+    MB_TRY(auto link, LinkAddress::parse(text.substr(0, slash)));
     const std::string_view device = text.substr(slash + 1);
     const auto colon = device.find(':');
     if (colon == std::string_view::npos || colon == 0)
@@ -48,7 +46,7 @@ Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
     const auto address = parseInt(device.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1), 10);
     if (!address)
         return bad();
-    DeviceSelector selector{std::move(*link), std::string(device.substr(0, colon)), *address, std::nullopt};
+    DeviceSelector selector{std::move(link), std::string(device.substr(0, colon)), *address, std::nullopt};
     if (at != std::string_view::npos) {
         selector.session = parseInt(device.substr(at + 1), 16);
         if (!selector.session)

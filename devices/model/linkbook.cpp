@@ -19,17 +19,13 @@ Result<LinkBook::Entry> LinkBook::make(const LinkAddress &address)
 {
     Entry made;
     if (address.isSimulated()) {
-        auto bench = Bench::create(address, m_clock, m_families);
-        if (!bench)
-            return fail(bench.error());
-        made.bench = std::move(*bench);
+        MB_TRY(auto bench, Bench::create(address, m_clock, m_families));
+        made.bench = std::move(bench);
         made.link = made.bench->hostLink();
         return made;
     }
-    auto link = createLink(address, m_clock);
-    if (!link)
-        return fail(link.error());
-    made.link = std::move(*link);
+    MB_TRY(auto link, createLink(address, m_clock));
+    made.link = std::move(link);
     made.link->settings().background = m_background;
     if (m_identify)
         made.link->settings().identify = m_identify;
@@ -40,18 +36,14 @@ Result<Link *> LinkBook::open(const LinkAddress &address)
 {
     if (Link *known = find(address)) {
         const bool wasOpen = known->state() == LinkState::Open;
-        if (auto opened = known->open(); !opened)
-            return fail(opened.error());
+        MB_TRY_VOID(known->open());
         if (!wasOpen)
             remark(*known);
         return known;
     }
-    auto made = make(address);
-    if (!made)
-        return fail(made.error());
-    if (auto opened = made->link->open(); !opened)
-        return fail(opened.error());
-    return &enlist(std::move(*made));
+    MB_TRY(auto made, make(address));
+    MB_TRY_VOID(made.link->open());
+    return &enlist(std::move(made));
 }
 
 Task<Link *> LinkBook::openSoon(LinkAddress address)

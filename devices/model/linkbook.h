@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "async/scope.h"
 #include "model/bench.h"
 #include "model/family.h"
@@ -16,11 +17,9 @@
 namespace mb {
 
 /// The links of a session, with the benches behind simulated ones. Thread of the session.
-class LinkBook {
+class LinkBook : NonCopyable {
 public:
     LinkBook(Clock &clock, std::span<const Family *const> families);
-    LinkBook(const LinkBook &) = delete;
-    LinkBook &operator=(const LinkBook &) = delete;
 
     /// What may block is done there, of links made from now on. Outlives this.
     void setBackground(Background *background) { m_background = background; }

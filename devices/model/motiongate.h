@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/message.h"
+#include "async/noncopyable.h"
 #include "model/setpoint.h"
 
 #include <atomic>
@@ -25,12 +26,8 @@ struct KeptMove {
 
 /// What of this program stands before a motion of a device: STOP that is pressed, an update that runs, a move that the device
 /// keeps for later, targets that are of another origin. Engine thread, but for the flag behind setStopGate().
-class MotionGate {
+class MotionGate : NonCopyable {
 public:
-    MotionGate() = default;
-    MotionGate(const MotionGate &) = delete;
-    MotionGate &operator=(const MotionGate &) = delete;
-
     /// While it is true nothing drives the device: STOP was pressed, and this thread has not come to it yet. Outlives the device.
     void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
     [[nodiscard]] bool isStopPressed() const { return m_stopGate && *m_stopGate; }

@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "async/result.h"
 #include "model/stopscript.h"
 #include "transport/link.h"
@@ -22,7 +23,7 @@ struct OwedStop {
 };
 
 /// A guardian's watch over one device. Destroying it without release() makes the guardian stop the motor.
-class GuardWatch {
+class GuardWatch : NonCopyable {
 public:
     enum class State {
         Called,   ///< asked for, not confirmed: nothing may move
@@ -31,9 +32,6 @@ public:
         Gone,     ///< it died, or never came
     };
 
-    GuardWatch() = default;
-    GuardWatch(const GuardWatch &) = delete;
-    GuardWatch &operator=(const GuardWatch &) = delete;
     virtual ~GuardWatch() = default;
 
     [[nodiscard]] State state() const { return m_state; }

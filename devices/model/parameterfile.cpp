@@ -42,10 +42,8 @@ Result<OptionalRaw> valueOf(const Parameter &parameter, const QJsonValue &value)
     if (isFlag || !value.isDouble())
         return fail(Fault::OutOfRange, say("%1: its value is of the wrong kind", parameter.key),
             isFlag ? say("write true or false") : say("write a number"));
-    const auto raw = toRaw(parameter, value.toDouble());
-    if (!raw)
-        return fail(raw.error());
-    return OptionalRaw(*raw);
+    MB_TRY(const auto raw, toRaw(parameter, value.toDouble()));
+    return OptionalRaw(raw);
 }
 
 /// Of a row that has both, one may have been edited and the other forgotten: which one nobody can know.
@@ -90,13 +88,10 @@ Result<void> takeRow(const Family &family, const QString &key, const QJsonValue 
         return fail(Fault::OutOfRange, say("unknown key %1", key.toStdString()), say("correct it, or delete its row"));
     if (!row.isObject())
         return fail(Fault::OutOfRange, say("%1 is not an object", key.toStdString()));
-    if (auto known = checkMembers(key, row.toObject()); !known)
-        return fail(known.error());
-    const auto raw = rawFrom(family.parameters[index->value], row.toObject());
-    if (!raw)
-        return fail(raw.error());
-    if (*raw)
-        file.values.push_back({*index, **raw});
+    MB_TRY_VOID(checkMembers(key, row.toObject()));
+    MB_TRY(const auto raw, rawFrom(family.parameters[index->value], row.toObject()));
+    if (raw)
+        file.values.push_back({*index, *raw});
     else
         file.notes.push_back(say("%1 was unknown when the file was written", key.toStdString()));
     return {};
@@ -158,8 +153,7 @@ std::optional<std::string> familyOf(const QByteArray &bytes)
 
 Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family)
 {
-    if (auto once = linesOf(bytes).checkKeys(); !once)
-        return fail(once.error());
+    MB_TRY_VOID(linesOf(bytes).checkKeys());
     QJsonParseError error{};
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (!document.isObject()) {
@@ -180,8 +174,7 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
         return fail(Fault::OutOfRange, say("not a parameter file: it has no \"parameters\""));
     const QJsonObject parameters = rows.toObject();
     for (auto row = parameters.begin(); row != parameters.end(); ++row) {
-        if (auto taken = takeRow(family, row.key(), row.value(), file); !taken)
-            return fail(taken.error());
+        MB_TRY_VOID(takeRow(family, row.key(), row.value(), file));
     }
     std::ranges::sort(
         file.values, [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });

@@ -64,10 +64,8 @@ Result<std::vector<Identity>> ScanBook::load(std::string_view link) const
     const std::string path = pathOf(link);
     if (!QFile::exists(qt(path)))
         return std::vector<Identity>();
-    const auto bytes = loadFile(path, greatestBook);
-    if (!bytes)
-        return fail(bytes.error());
-    if (auto all = parse(*bytes, link))
+    MB_TRY(const auto bytes, loadFile(path, greatestBook));
+    if (auto all = parse(bytes, link))
         return std::move(*all);
     return fail(Fault::OutOfRange,
         say("%1 is no list of devices and is ignored: the next scan takes its full time and writes it anew", path));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/event.h"
+#include "async/noncopyable.h"
 #include "async/scope.h"
 #include "model/device.h"
 #include "model/family.h"
@@ -21,7 +22,7 @@ struct ScanOptions {
 };
 
 /// Gathers what the families find in one scan of a link, all of them at once. Thread of the session.
-class ScanRound {
+class ScanRound : NonCopyable {
 public:
     /// What a round asks of who began it, who outlives it.
     struct Surroundings {
@@ -37,8 +38,6 @@ public:
     };
 
     ScanRound(Link &link, ScanOptions options, Surroundings surroundings);
-    ScanRound(const ScanRound &) = delete;
-    ScanRound &operator=(const ScanRound &) = delete;
     /// What was found is told, although the round was cut.
     ~ScanRound();
 

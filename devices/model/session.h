@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "model/devicebook.h"
 #include "model/linkbook.h"
 #include "model/scanround.h"
@@ -15,12 +16,10 @@ namespace mb {
 
 /// Everything that one process works on: links, the devices found on them, their set-point streams. One thread: the engine's
 /// in the window, the only one in the console and in tests.
-class Session {
+class Session : NonCopyable {
 public:
     /// Without a guard, devices that have no watchdog cannot be driven on real links.
     Session(Clock &clock, std::span<const Family *const> families, MotionGuard *guard = nullptr);
-    Session(const Session &) = delete;
-    Session &operator=(const Session &) = delete;
     /// Stops every motor that was driven.
     ~Session();
 

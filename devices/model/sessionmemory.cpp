@@ -39,14 +39,12 @@ Result<DeviceProfile> kept(const ProfileBook &book, const Device &device, const 
     auto earlier = book.load(device.selector());
     if (!earlier || earlier->isEmpty())
         return earlier;
-    if (auto saved = book.save(key, *earlier); !saved)
-        return fail(saved.error());
+    MB_TRY_VOID(book.save(key, *earlier));
     const QString path = qt(book.pathOf(device.selector()));
     QFile::remove(path + QStringLiteral(".moved"));
     if (QFile::rename(path, path + QStringLiteral(".moved")))
         return earlier;
-    if (auto emptied = book.save(device.selector(), {}); !emptied)
-        return fail(emptied.error());
+    MB_TRY_VOID(book.save(device.selector(), {}));
     return earlier;
 }
 

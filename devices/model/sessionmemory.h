@@ -3,6 +3,7 @@
 
 #include "async/background.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "model/device.h"
 #include "model/scanbook.h"
 
@@ -17,12 +18,8 @@ namespace mb {
 
 /// What a session knows from earlier runs of the program, and keeps for later ones: profiles of devices and who answered on which
 /// link. Of real links only: simulated devices are factory-fresh in every process, and a recording has its own. Thread of the session.
-class SessionMemory {
+class SessionMemory : NonCopyable {
 public:
-    SessionMemory() = default;
-    SessionMemory(const SessionMemory &) = delete;
-    SessionMemory &operator=(const SessionMemory &) = delete;
-
     /// From now on what is known of devices is kept in this directory.
     void keepProfiles(std::string directory) { m_profiles.emplace(std::move(directory)); }
     /// From now on who answered in scans is kept in this directory, for families whose scans take long: the

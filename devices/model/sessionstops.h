@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "model/devicebook.h"
 #include "model/linkbook.h"
 #include "model/owedstops.h"
@@ -8,12 +9,10 @@
 namespace mb {
 
 /// STOP for all devices of a session, and its follow-up across links that close, are lost and come back. Thread of the session.
-class SessionStops {
+class SessionStops : NonCopyable {
 public:
     /// Links and devices outlive it.
     SessionStops(Clock &clock, LinkBook &links, DeviceBook &devices, MotionGuard *guard);
-    SessionStops(const SessionStops &) = delete;
-    SessionStops &operator=(const SessionStops &) = delete;
 
     /// Stops every stream. By the user also every device for which its family has a harmless stop (Device::mayStop), moving or
     /// not; by the program only what it has moved. Each is followed up (Device::stopping), also over a link that is lost: that is

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/lease.h"
+#include "async/noncopyable.h"
 #include "model/device.h"
 #include "model/setpointslew.h"
 
@@ -20,7 +21,7 @@ struct Glide {
 /// Keeps a motor's set-point alive, or those of several axes of one device: one control frame an axis every command period, only as long as somebody renews the lease
 /// (docs/architecture.md#motion-lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
 /// restarted or silent device, a frame that is later than the device waits for one, a computer that slept, its destruction. It never starts again by itself. Engine thread.
-class SetPointStream {
+class SetPointStream : NonCopyable {
 public:
     enum class End {
         None,    ///< still running, or never started
@@ -39,8 +40,6 @@ public:
     enum class Since { Start, Renewal };
 
     SetPointStream(Device &device, Clock &clock);
-    SetPointStream(const SetPointStream &) = delete;
-    SetPointStream &operator=(const SetPointStream &) = delete;
     ~SetPointStream();
 
     /// Sends the first frame now, or, for a device that needs a guardian, once that has confirmed that it stands by (it has

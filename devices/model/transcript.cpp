@@ -41,8 +41,7 @@ Result<std::string> save(const Transcript &transcript)
     if (!QDir().mkpath(QString::fromStdString(transcript.folder)))
         return fail(Fault::OutOfRange, say("%1 cannot be made", transcript.folder),
             say("check the rights of the folder above it"));
-    if (auto saved = saveFile(transcript.path, QByteArray::fromStdString(transcript.text)); !saved)
-        return fail(saved.error());
+    MB_TRY_VOID(saveFile(transcript.path, QByteArray::fromStdString(transcript.text)));
     return transcript.path;
 }
 

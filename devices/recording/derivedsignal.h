@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "recording/expression.h"
 #include "recording/samplecursor.h"
 
@@ -9,7 +10,7 @@ namespace mb {
 /// A signal that is computed from recorded ones and recorded itself, so that it can be plotted, triggered on and
 /// exported like them. It has a value for each sample of the first signal of its formula; of the others it takes the last
 /// sample at or before that time. Where one of them has a gap it has one, too. One thread computes, any may read.
-class DerivedSignal {
+class DerivedSignal : NonCopyable {
 public:
     struct Input {
         std::shared_ptr<const Telemetry> telemetry;
@@ -17,8 +18,6 @@ public:
     };
     /// `inputs`: those of expression.used(), in its order; `label` and `unit` as people shall see them.
     DerivedSignal(std::string label, std::string unit, Expression expression, const std::vector<Input> &inputs);
-    DerivedSignal(const DerivedSignal &) = delete;
-    DerivedSignal &operator=(const DerivedSignal &) = delete;
     ~DerivedSignal();
 
     /// Computes what has been recorded since, at most `most` samples; how many it was.

@@ -133,8 +133,7 @@ private:
 Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
 {
     OutputFile file(path);
-    if (auto opened = file.open(); !opened)
-        return fail(opened.error());
+    MB_TRY_VOID(file.open());
     ExportReport report;
     std::string text = headOf(plan);
     Row row(plan.channels.size());
@@ -158,8 +157,7 @@ Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, 
     }
     row.writeTo(text, plan);
     file.write(text);
-    if (auto written = file.commit(); !written)
-        return fail(written.error());
+    MB_TRY_VOID(file.commit());
     return report;
 }
 

@@ -29,37 +29,32 @@ mcap::Map aboutChannel(const ExportChannel &channel)
 Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
 {
     OutputFile place(path);
-    if (auto opened = place.open(); !opened)
-        return fail(opened.error());
-    auto writer = McapWriter::create(place);
-    if (!writer)
-        return fail(writer.error());
+    MB_TRY_VOID(place.open());
+    MB_TRY(auto writer, McapWriter::create(place));
     for (const auto &[name, facts] : plan.about)
-        (*writer)->metadata(name, facts);
+        writer->metadata(name, facts);
     for (const auto &[name, facts] : lossOf(plan))
-        (*writer)->metadata(name, facts);
+        writer->metadata(name, facts);
     for (const TimedNote &note : plan.notes)
-        (*writer)->metadata(
+        writer->metadata(
             "note", {{"time", std::to_string(plan.clock.unixTime(note.time).count())}, {"text", note.text}});
     std::vector<std::uint16_t> ids;
     for (const ExportChannel &channel : plan.channels)
-        ids.push_back((*writer)->addChannel({channel.topic(), aboutChannel(channel)}));
+        ids.push_back(writer->addChannel({channel.topic(), aboutChannel(channel)}));
     ExportReport report;
     MergedSamples samples(plan);
     const auto span = static_cast<double>(std::max<std::int64_t>((plan.to - plan.from).count(), 1));
     while (const auto next = samples.next()) {
-        (*writer)->write(ids[next->channel], plan.clock.unixTime(next->point.time).count(), next->point.value,
-            next->lost, next->gap);
+        writer->write(ids[next->channel], plan.clock.unixTime(next->point.time).count(), next->point.value, next->lost,
+            next->gap);
         report.lost += next->lost;
         if (++report.samples % lookEverySamples == 0 && progress
             && !progress(static_cast<double>((next->point.time - plan.from).count()) / span))
             return fail(Fault::Cancelled);
     }
-    if (auto finished = (*writer)->finish(); !finished)
-        return fail(finished.error());
-    writer->reset();
-    if (auto moved = place.commit(); !moved)
-        return fail(moved.error());
+    MB_TRY_VOID(writer->finish());
+    writer.reset();
+    MB_TRY_VOID(place.commit());
     return report;
 }
 

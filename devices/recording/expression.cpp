@@ -155,15 +155,13 @@ struct Expression::Compiler {
             return fail(Fault::OutOfRange,
                 average ? say("average takes a signal and seconds, such as average(x, 0.1)")
                         : say("derivative and integral take one signal"));
-        const auto seconds = average ? secondsFrom(text.substr(comma + 1, close - comma - 1)) : Result<double>(0.0);
-        if (!seconds)
-            return fail(seconds.error());
+        MB_TRY(
+            const auto seconds, average ? secondsFrom(text.substr(comma + 1, close - comma - 1)) : Result<double>(0.0));
         auto inner = compile(text.substr(first + 1, std::min(comma, close) - first - 1));
         if (!inner)
             return inner;
-        auto step = std::make_unique<Formula::Step>(Formula::Step{{}, MovingValue(kind, *seconds)});
-        if (auto bound = bind(step->parser, *inner); !bound)
-            return fail(bound.error());
+        auto step = std::make_unique<Formula::Step>(Formula::Step{{}, MovingValue(kind, seconds)});
+        MB_TRY_VOID(bind(step->parser, *inner));
         formula.steps.push_back(std::move(step));
         formula.kept.push_back(std::make_unique<double>(1.0));
         return text.substr(0, at) + "step__" + std::to_string(formula.kept.size() - 1) + text.substr(close + 1);
@@ -188,11 +186,8 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
     auto formula = std::make_unique<Formula>();
     formula->values.assign(names.size(), 1.0);
     Compiler compiler{*formula, names};
-    const auto rest = compiler.compile(std::string(text));
-    if (!rest)
-        return fail(rest.error());
-    if (auto bound = compiler.bind(formula->whole, *rest); !bound)
-        return fail(bound.error());
+    MB_TRY(const auto rest, compiler.compile(std::string(text)));
+    MB_TRY_VOID(compiler.bind(formula->whole, rest));
     std::ranges::sort(formula->used);
     formula->used.erase(std::unique(formula->used.begin(), formula->used.end()), formula->used.end());
     if (formula->used.empty())

@@ -111,30 +111,23 @@ Result<ExportReport> joinRecordings(
     const std::vector<std::string> &paths, const std::string &path, const ExportProgress &progress)
 {
     OutputFile place(path);
-    if (auto opened = place.open(); !opened)
-        return fail(opened.error());
-    auto writer = McapWriter::create(place);
-    if (!writer)
-        return fail(writer.error());
-    Joint joint(**writer);
+    MB_TRY_VOID(place.open());
+    MB_TRY(auto writer, McapWriter::create(place));
+    Joint joint(*writer);
     bool anything = false;
     const std::size_t steps = 2 * paths.size();
     for (std::size_t i = 0; i < steps; ++i) {
         if (progress && !progress(static_cast<double>(i) / static_cast<double>(steps)))
             return fail(Fault::Cancelled);
-        const auto read = i < paths.size() ? joint.learn(paths[i]) : joint.add(paths[i - paths.size()]);
-        if (!read)
-            return fail(read.error());
-        anything = anything || *read;
+        MB_TRY(const auto read, i < paths.size() ? joint.learn(paths[i]) : joint.add(paths[i - paths.size()]));
+        anything = anything || read;
     }
     if (!anything)
         return fail(Fault::Unsupported, say("nothing has been recorded yet"));
     joint.addFacts();
-    if (auto finished = (*writer)->finish(); !finished)
-        return fail(finished.error());
-    writer->reset();
-    if (auto moved = place.commit(); !moved)
-        return fail(moved.error());
+    MB_TRY_VOID(writer->finish());
+    writer.reset();
+    MB_TRY_VOID(place.commit());
     return joint.report();
 }
 

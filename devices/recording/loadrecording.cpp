@@ -57,8 +57,7 @@ Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
             loaded.telemetry->lost(channel, lost);
         loaded.telemetry->append({channel, Instant(std::chrono::nanoseconds(time)), value});
     };
-    if (const auto again = reader.read(path); !again)
-        return fail(again.error());
+    MB_TRY_VOID(reader.read(path));
     if (isTooFar)
         return fail(Fault::OutOfRange, say("%1 has a time that is more than 140 years from 1970", path),
             say("record with the clock set"));
@@ -96,8 +95,7 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::
         return fail(complete.error());
     loaded->complete = *complete;
     loaded->telemetry = std::make_shared<Telemetry>(loaded->table);
-    if (auto read = readSamples(path, *loaded, places, mostSamples); !read)
-        return fail(read.error());
+    MB_TRY_VOID(readSamples(path, *loaded, places, mostSamples));
     return loaded;
 }
 
@@ -120,10 +118,8 @@ Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &
     if (const auto kind = std::filesystem::status(path, error);
         std::filesystem::is_character_file(kind) || std::filesystem::is_block_file(kind))
         return fail(Fault::OutOfRange, say("%1 is a device and has no end", path), say("name a recording"));
-    auto loaded = endsWith(path, ".mcap") ? loadMcap(path, mostSamples) : loadTable(path, mostSamples);
-    if (!loaded)
-        return fail(loaded.error());
-    LoadedRecording &recording = **loaded;
+    MB_TRY(auto loaded, endsWith(path, ".mcap") ? loadMcap(path, mostSamples) : loadTable(path, mostSamples));
+    LoadedRecording &recording = *loaded;
     recording.telemetry->commit();
     bool any = false;
     for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
@@ -137,7 +133,7 @@ Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &
     }
     if (!any)
         return fail(Fault::OutOfRange, say("%1 has no samples", path));
-    return std::shared_ptr<const LoadedRecording>(std::move(*loaded));
+    return std::shared_ptr<const LoadedRecording>(std::move(loaded));
 }
 
 } // namespace mb

@@ -138,8 +138,7 @@ public:
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
         while (!isEnough(m_most) && next(line)) {
-            if (auto taken = takeRow(fieldsOf(line, m_separator)); !taken)
-                return fail(taken.error());
+            MB_TRY_VOID(takeRow(fieldsOf(line, m_separator)));
         }
         if (m_tooLong)
             return wrong(tooLong());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 #include "recording/mcapformat.h"
 
@@ -22,14 +23,12 @@ struct McapChannel {
 /// with their description inside. Neither chunked nor compressed: what has been flushed can be read, whatever happens
 /// afterwards. Without finish() the file has no summary and no end, which readers call truncated, and McapReader takes.
 /// One thread.
-class McapWriter {
+class McapWriter : NonCopyable {
 public:
     /// OutOfRange with the cause when the file cannot be made.
     [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const std::string &path);
     /// Into an open file, which is complete after finish() and the file's own commit().
     [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const OutputFile &place);
-    McapWriter(const McapWriter &) = delete;
-    McapWriter &operator=(const McapWriter &) = delete;
     ~McapWriter();
 
     [[nodiscard]] std::uint16_t addChannel(const McapChannel &channel);

@@ -135,10 +135,8 @@ Result<void> RollingRecorder::beginSegment(Instant now)
     Segment segment{m_path + "/segment-" + number + ".mcap", now, now, 0, 0, {}};
     for (const Tracked &tracked : m_tracked)
         segment.begins[tracked.number] = tracked.safe;
-    auto writer = McapWriter::create(segment.path);
-    if (!writer)
-        return fail(writer.error());
-    m_writer = std::move(*writer);
+    MB_TRY(auto writer, McapWriter::create(segment.path));
+    m_writer = std::move(writer);
     for (Tracked &tracked : m_tracked)
         addToFile(tracked);
     m_aboutChanged = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/sleeplog.h"
 #include "recording/export.h"
 #include "recording/mcapwriter.h"
@@ -15,7 +16,7 @@ namespace mb {
 /// minute each, and those older than `keep` are removed, except while somebody wants to keep what comes. Written data
 /// survives the end of the process, however it ends: see recoverRecordings(). One thread, not the engine's: it waits
 /// for the disk.
-class RollingRecorder {
+class RollingRecorder : NonCopyable {
 public:
     struct Options {
         std::string folder; ///< each run has its own folder in it
@@ -25,8 +26,6 @@ public:
         std::uint64_t mostBytes = 1ULL << 30U; ///< of what nobody asked to keep
     };
     explicit RollingRecorder(Options options);
-    RollingRecorder(const RollingRecorder &) = delete;
-    RollingRecorder &operator=(const RollingRecorder &) = delete;
     /// Ends the last file; the folder becomes `last-session`, in place of the one before, unless it is left.
     ~RollingRecorder();
 

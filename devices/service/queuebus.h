@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/event.h"
+#include "async/noncopyable.h"
 #include "model/operation.h"
 #include "service/busrows.h"
 #include "service/queuerun.h"
@@ -9,13 +10,11 @@
 namespace mb::service {
 
 /// One bus of a queue: who is on it, and the unit that is being served. Thread of the queue.
-class QueueBus {
+class QueueBus : NonCopyable {
 public:
     /// All of them outlive it.
     QueueBus(QueueRun &run, Session &session, Link &link);
     ~QueueBus();
-    QueueBus(const QueueBus &) = delete;
-    QueueBus &operator=(const QueueBus &) = delete;
 
     /// Until there is nothing left to do here. LinkLost, or a journal that cannot be written, ends it.
     [[nodiscard]] Task<void> run();

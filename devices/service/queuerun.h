@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "model/session.h"
 #include "service/queuerow.h"
 #include "service/unitservice.h"
@@ -43,11 +44,9 @@ struct QueueSurroundings {
 
 /// One run of a recipe over many units, as its buses share it: what is done and by whom, how many have ended how, and whether the
 /// next may begin. Thread of the queue.
-class QueueRun {
+class QueueRun : NonCopyable {
 public:
     QueueRun(Clock &clock, RecipeMatter matter, QueueSurroundings surroundings, QueueOptions options);
-    QueueRun(const QueueRun &) = delete;
-    QueueRun &operator=(const QueueRun &) = delete;
 
     [[nodiscard]] Clock &clock() const { return m_clock; }
     [[nodiscard]] const RecipeMatter &matter() const { return m_matter; }

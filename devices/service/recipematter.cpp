@@ -33,11 +33,9 @@ Result<QByteArray> besideOf(const std::string &recipe, const std::string &file, 
 Result<void> readImage(const std::string &path, RecipeMatter &matter, QCryptographicHash &all)
 {
     const FirmwareRule &rule = *matter.recipe.firmware;
-    const auto bytes = besideOf(path, rule.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
-    if (!bytes)
-        return fail(bytes.error());
+    MB_TRY(const auto bytes, besideOf(path, rule.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize)));
     auto image
-        = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+        = FirmwareImage::fromIntelHex(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     if (!image)
         return fail(image.error().about(rule.file));
     if (matter.recipe.family->inspect) {
@@ -47,8 +45,8 @@ Result<void> readImage(const std::string &path, RecipeMatter &matter, QCryptogra
         matter.imageVersion = summary->version;
     }
     matter.image = std::move(*image);
-    matter.imageHash = hashOf(*bytes);
-    all.addData(*bytes);
+    matter.imageHash = hashOf(bytes);
+    all.addData(bytes);
     return {};
 }
 
@@ -69,11 +67,9 @@ Result<void> checkTested(const Recipe &recipe, const ParameterChange &change)
 Result<void> readParameters(const std::string &path, RecipeMatter &matter, QCryptographicHash &all)
 {
     const std::string &file = matter.recipe.parameters->file;
-    const auto bytes = besideOf(path, file, mostRecipeBytes);
-    if (!bytes)
-        return fail(bytes.error());
+    MB_TRY(const auto bytes, besideOf(path, file, mostRecipeBytes));
     const Family &family = *matter.recipe.family;
-    const auto parsed = parseParameterFile(*bytes, family);
+    const auto parsed = parseParameterFile(bytes, family);
     if (!parsed)
         return fail(parsed.error().about(file));
     for (const ParameterChange &change : parsed->values) {
@@ -87,7 +83,7 @@ Result<void> readParameters(const std::string &path, RecipeMatter &matter, QCryp
     }
     if (matter.parameters.empty())
         return fail(Fault::OutOfRange, say("%1 has no setting that could be written to every unit", file));
-    all.addData(*bytes);
+    all.addData(bytes);
     return {};
 }
 
@@ -99,12 +95,10 @@ Result<RecipeMatter> readFiles(Recipe recipe, const QByteArray &text, const std:
     RecipeMatter matter;
     matter.recipe = std::move(recipe);
     if (matter.recipe.firmware) {
-        if (auto read = readImage(path, matter, all); !read)
-            return fail(read.error());
+        MB_TRY_VOID(readImage(path, matter, all));
     }
     if (matter.recipe.parameters) {
-        if (auto read = readParameters(path, matter, all); !read)
-            return fail(read.error());
+        MB_TRY_VOID(readParameters(path, matter, all));
     }
     matter.hash = all.result().toHex().toStdString();
     return matter;
@@ -120,13 +114,11 @@ Result<RecipeMatter> gatherMatter(Recipe recipe, const std::string &folder)
 
 Result<RecipeMatter> loadRecipe(const std::string &path, std::span<const Family *const> families)
 {
-    const auto bytes = loadFile(path, mostRecipeBytes);
-    if (!bytes)
-        return fail(bytes.error());
-    auto recipe = parseRecipe(*bytes, families);
+    MB_TRY(const auto bytes, loadFile(path, mostRecipeBytes));
+    auto recipe = parseRecipe(bytes, families);
     if (!recipe)
         return fail(recipe.error().about(path));
-    return readFiles(std::move(*recipe), *bytes, path);
+    return readFiles(std::move(*recipe), bytes, path);
 }
 
 } // namespace mb::service

@@ -315,8 +315,7 @@ private:
 Result<Recipe> parseRecipe(const QByteArray &text, std::span<const Family *const> families)
 {
     JsonLines lines = linesOf(text);
-    if (auto once = lines.checkKeys(); !once)
-        return fail(once.error());
+    MB_TRY_VOID(lines.checkKeys());
     QJsonParseError mistake;
     const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);
     if (document.isNull())

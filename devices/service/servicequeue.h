@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/scope.h"
 #include "model/operation.h"
 #include "model/session.h"
@@ -16,11 +17,9 @@ class QueueBus;
 /// another way in, of which there is one). Units that may not be touched (two with one
 /// number, wrong hardware) are refused in their row, the others go on. One that has just ended does not start again until it
 /// was gone for 2 s. Thread of the session. Everything can be called at any time, but not from inside finished().
-class ServiceQueue {
+class ServiceQueue : NonCopyable {
 public:
     ServiceQueue(Clock &clock, RecipeMatter matter, QueueSurroundings surroundings, QueueOptions options);
-    ServiceQueue(const ServiceQueue &) = delete;
-    ServiceQueue &operator=(const ServiceQueue &) = delete;
     /// What runs is cut off: motors stop, the journal has its open visits, and resumes them.
     ~ServiceQueue();
 

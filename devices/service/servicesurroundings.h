@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "experiment/experiment.h"
 #include "service/recipematter.h"
 #include "service/servicejournal.h"
@@ -13,11 +14,8 @@
 namespace mb::service {
 
 /// Who lets a motor turn, and may take that back while it turns. Thread of the session.
-class MotionPermit {
+class MotionPermit : NonCopyable {
 public:
-    MotionPermit() = default;
-    MotionPermit(const MotionPermit &) = delete;
-    MotionPermit &operator=(const MotionPermit &) = delete;
     virtual ~MotionPermit() = default;
     /// Before each self-test: ends when the motor may turn, which somebody was told before; says what it waits for. Fails where it
     /// may not (Unsafe), where the unit is gone meanwhile (Timeout, LinkLost), and with Cancelled, which leaves the visit open.
@@ -34,11 +32,9 @@ private:
 
 /// A self-test whose motor turns by a permit, as long as it lives. Permit and interruption outlive it; without an interruption nobody
 /// can end it.
-class PermittedMotion {
+class PermittedMotion : NonCopyable {
 public:
     PermittedMotion(MotionPermit &permit, tuning::Interruption *interruption);
-    PermittedMotion(const PermittedMotion &) = delete;
-    PermittedMotion &operator=(const PermittedMotion &) = delete;
     ~PermittedMotion();
 
 private:

@@ -46,10 +46,8 @@ Side sideOf(const ParameterSource &source)
 
 Result<Side> sideOf(const QByteArray &file, const Family &family)
 {
-    const auto parsed = parseParameterFile(file, family);
-    if (!parsed)
-        return fail(parsed.error());
-    Side side{&family, parsed->serial, {}};
+    MB_TRY(const auto parsed, parseParameterFile(file, family));
+    Side side{&family, parsed.serial, {}};
     const QJsonObject rows = QJsonDocument::fromJson(file).object().value(QLatin1String("parameters")).toObject();
     for (const Parameter &parameter : family.parameters) {
         const QJsonValue row = rows.value(qt(parameter.key));
@@ -58,7 +56,7 @@ Result<Side> sideOf(const QByteArray &file, const Family &family)
             side.entries.back().emplace(
                 Entry{std::nullopt, stateFrom(row.toObject().value(QLatin1String("state")).toString())});
     }
-    for (const ParameterChange &value : parsed->values)
+    for (const ParameterChange &value : parsed.values)
         side.entries[value.index.value]->raw = value.raw;
     return side;
 }

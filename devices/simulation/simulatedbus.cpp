@@ -100,10 +100,8 @@ Result<int> rateOf(int asked, const Rates &rates)
 template <class Bus>
 Result<std::unique_ptr<SimulatedBus>> make(Clock &clock, int asked, std::uint64_t seed, const Rates &rates)
 {
-    const auto rate = rateOf(asked, rates);
-    if (!rate)
-        return fail(rate.error());
-    return std::make_unique<Bus>(clock, *rate, seed);
+    MB_TRY(const auto rate, rateOf(asked, rates));
+    return std::make_unique<Bus>(clock, rate, seed);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "transport/link.h"
 
 #include <cstdint>
@@ -9,11 +10,8 @@
 namespace mb {
 
 /// A bus in memory: the host and every simulated unit have an end of it, as on a real one. Outlives its ends.
-class SimulatedBus {
+class SimulatedBus : NonCopyable {
 public:
-    SimulatedBus() = default;
-    SimulatedBus(const SimulatedBus &) = delete;
-    SimulatedBus &operator=(const SimulatedBus &) = delete;
     virtual ~SimulatedBus() = default;
 
     /// A closed end for a simulated unit.

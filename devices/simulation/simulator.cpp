@@ -103,10 +103,8 @@ Result<SimulatedUnit> SimulatedUnit::parse(std::string_view text)
             unit.options.emplace_back(item.substr(0, equals), item.substr(equals + 1));
             continue;
         }
-        auto fault = SimulatedFault::parse(item.substr(equals + 1));
-        if (!fault)
-            return fail(fault.error());
-        unit.faults.push_back(*fault);
+        MB_TRY(auto fault, SimulatedFault::parse(item.substr(equals + 1)));
+        unit.faults.push_back(fault);
     }
     return unit;
 }

@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <cstdint>
@@ -45,11 +46,8 @@ struct SimulatorEvent {
 };
 
 /// A simulated controller: decodes requests and encodes replies on the link it was made for. Lives on the link's thread.
-class Simulator {
+class Simulator : NonCopyable {
 public:
-    Simulator() = default;
-    Simulator(const Simulator &) = delete;
-    Simulator &operator=(const Simulator &) = delete;
     virtual ~Simulator() = default;
 
     [[nodiscard]] virtual std::string name() const = 0; ///< "dmc60c:5"

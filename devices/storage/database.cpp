@@ -96,8 +96,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::string &path)
     auto connected = database->connect();
     const int code = database->m_lastCode;
     if (!connected && (code == damaged || code == notADatabase)) {
-        if (auto aside = database->putAside(); !aside)
-            return fail(aside.error());
+        MB_TRY_VOID(database->putAside());
         connected = database->connect();
     }
     if (!connected)

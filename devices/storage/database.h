@@ -18,8 +18,6 @@ public:
     /// beside itself, never deleted, and remark() says so. A file that cannot be written is opened for reading, and
     /// isReadOnly(). NotKept with the cause where it can be neither, or was made by a newer version.
     [[nodiscard]] static Result<std::unique_ptr<Database>> open(const std::string &path);
-    Database(const Database &) = delete;
-    Database &operator=(const Database &) = delete;
     ~Database() override;
 
     [[nodiscard]] const std::string &path() const { return m_path; }

@@ -25,12 +25,9 @@ Result<void> runAll(SqlConnection &sql, const char *statements)
 Result<int> versionOf(SqlConnection &sql)
 {
     int version = 0;
-    auto done = sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)");
-    if (done)
-        done = sql.run("SELECT version FROM motorbench_schema", {},
-            [&version](const QSqlQuery &row) { version = row.value(0).toInt(); });
-    if (!done)
-        return fail(done.error());
+    MB_TRY_VOID(sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)"));
+    MB_TRY_VOID(sql.run("SELECT version FROM motorbench_schema", {},
+        [&version](const QSqlQuery &row) { version = row.value(0).toInt(); }));
     return version;
 }
 
@@ -43,20 +40,18 @@ Result<void> makeTables(SqlConnection &sql)
             return done;
         const auto versions = journalSchemaVersions();
         const auto newest = static_cast<int>(versions.size());
-        const auto found = versionOf(sql);
-        if (!found)
-            return fail(found.error());
-        if (*found == newest)
+        MB_TRY(const auto found, versionOf(sql));
+        if (found == newest)
             return {};
-        if (*found > newest)
+        if (found > newest)
             return fail(Fault::OutOfRange, say("the journal on the server was made by a newer version of this program"),
                 say("use that one"));
-        for (int version = *found; done && version < newest; ++version)
+        for (int version = found; done && version < newest; ++version)
             done = runAll(sql, versions[static_cast<std::size_t>(version)]);
         if (!done)
             return done;
-        return sql.run(*found == 0 ? "INSERT INTO motorbench_schema (version) VALUES (?)"
-                                   : "UPDATE motorbench_schema SET version = ?",
+        return sql.run(found == 0 ? "INSERT INTO motorbench_schema (version) VALUES (?)"
+                                  : "UPDATE motorbench_schema SET version = ?",
             {newest});
     });
 }
@@ -65,10 +60,8 @@ Result<void> makeTables(SqlConnection &sql)
 
 Result<JournalServer> JournalServer::parse(const std::string &url)
 {
-    auto address = ServerAddress::parse(url);
-    if (!address)
-        return fail(address.error());
-    return JournalServer(std::move(*address));
+    MB_TRY(auto address, ServerAddress::parse(url));
+    return JournalServer(std::move(address));
 }
 
 Result<std::unique_ptr<ServerConnection>> JournalServer::connect() const
@@ -76,52 +69,41 @@ Result<std::unique_ptr<ServerConnection>> JournalServer::connect() const
     auto connection = ServerConnection::open(m_address);
     if (!connection)
         return connection;
-    if (auto made = makeTables(**connection); !made)
-        return fail(made.error());
+    MB_TRY_VOID(makeTables(**connection));
     return connection;
 }
 
 Result<void> JournalServer::prepare() const
 {
-    const auto connection = connect();
-    if (!connection)
-        return fail(connection.error());
+    MB_TRY_VOID(connect());
     return {};
 }
 
 Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers) const
 {
-    const auto connection = connect();
-    if (!connection)
-        return fail(connection.error());
-    if (auto put = putNumbers(**connection, numbers); !put)
+    MB_TRY(const auto connection, connect());
+    if (auto put = putNumbers(*connection, numbers); !put)
         return put;
-    return putVisits(**connection, visits);
+    return putVisits(*connection, visits);
 }
 
 Result<std::vector<KeptVisit>> JournalServer::visits(const service::VisitFilter &filter) const
 {
-    const auto connection = connect();
-    if (!connection)
-        return fail(connection.error());
-    return getVisits(**connection, filter);
+    MB_TRY(const auto connection, connect());
+    return getVisits(*connection, filter);
 }
 
 Result<NumberBlock> JournalServer::take(
     const std::string &token, const service::NumberWish &wish, const std::string &station, double time) const
 {
-    const auto connection = connect();
-    if (!connection)
-        return fail(connection.error());
-    return takeBlock(**connection, token, wish, numbersInBlock, station, time);
+    MB_TRY(const auto connection, connect());
+    return takeBlock(*connection, token, wish, numbersInBlock, station, time);
 }
 
 Result<std::optional<int>> JournalServer::numberOf(const service::NumberWish &wish) const
 {
-    const auto connection = connect();
-    if (!connection)
-        return fail(connection.error());
-    return mb::numberOf(**connection, wish);
+    MB_TRY(const auto connection, connect());
+    return mb::numberOf(*connection, wish);
 }
 
 } // namespace mb

@@ -49,17 +49,13 @@ Result<NumberBlock> takeBlock(SqlConnection &sql, const std::string &token, cons
 {
     NumberBlock block;
     auto taken = sql.transact([&]() -> Result<void> {
-        const auto known = blockOf(sql, token);
-        if (!known)
-            return fail(known.error());
-        if (*known) {
-            block = **known;
+        MB_TRY(const auto known, blockOf(sql, token));
+        if (known) {
+            block = *known;
             return {};
         }
-        const auto next = advance(sql, wish, size);
-        if (!next)
-            return fail(next.error());
-        block = *next;
+        MB_TRY(const auto next, advance(sql, wish, size));
+        block = next;
         if (block.isEmpty())
             return {};
         return sql.run("INSERT INTO service_block (token, scope, first, last, station, time) VALUES (?, ?, ?, ?, ?, ?)",
@@ -99,10 +95,8 @@ Result<std::optional<int>> giveNumber(SqlConnection &sql, const NumberWish &wish
         NumberWish free = wish;
         free.unit.clear();
         for (const NumberWish &each : {wish, free}) {
-            const auto number = numberOf(sql, each);
-            if (!number)
-                return fail(number.error());
-            given = *number;
+            MB_TRY(const auto number, numberOf(sql, each));
+            given = number;
             if (given)
                 break;
         }
@@ -139,11 +133,9 @@ Result<std::vector<GivenNumber>> numbersOf(
         if (!visit.number)
             continue;
         const GivenNumber given{numberScopeOf(visit), *visit.number, numberOwnerOf(visit), visit.id};
-        auto read = sql.run("SELECT 1 FROM service_number WHERE scope = ? AND number = ? AND unit = ?",
+        MB_TRY_VOID(sql.run("SELECT 1 FROM service_number WHERE scope = ? AND number = ? AND unit = ?",
             {qt(given.scope + suffix), given.number, qt(given.unit)},
-            [&](const QSqlQuery &) { numbers.push_back(given); });
-        if (!read)
-            return fail(read.error());
+            [&](const QSqlQuery &) { numbers.push_back(given); }));
     }
     return numbers;
 }

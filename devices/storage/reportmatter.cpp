@@ -16,10 +16,8 @@ Result<void> addSignals(TrialBook &book, tuning::Trial &trial)
 {
     if (!trial.number)
         return {};
-    auto signals = book.signals(*trial.number);
-    if (!signals)
-        return fail(signals.error());
-    trial.signals = std::move(*signals);
+    MB_TRY(auto signals, book.signals(*trial.number));
+    trial.signals = std::move(signals);
     return {};
 }
 
@@ -88,14 +86,12 @@ void addVisits(Database &database, ReportUnit &unit, const std::string &last)
 
 Result<void> addTunings(TrialBook &book, ReportUnit &unit, const std::vector<std::int64_t> &asked)
 {
-    auto tunings = book.tuningsOf(unit.unit);
-    if (!tunings)
-        return fail(tunings.error());
+    MB_TRY(auto tunings, book.tuningsOf(unit.unit));
     if (asked.empty()) {
         unit.tunings
-            = newestOf(*tunings, [](const KeptTuning &kept) { return std::tuple(kept.report.loop, kept.report.axis); });
+            = newestOf(tunings, [](const KeptTuning &kept) { return std::tuple(kept.report.loop, kept.report.axis); });
     } else {
-        for (KeptTuning &kept : *tunings) {
+        for (KeptTuning &kept : tunings) {
             if (std::ranges::any_of(asked, [&](std::int64_t n) { return isPartOf(n, kept.report); }))
                 unit.tunings.push_back(std::move(kept));
         }
@@ -129,10 +125,8 @@ std::vector<KeptTrial> shownTrials(const ReportUnit &unit, const ReportWish &wis
 /// History, and what of it stands in full: what was asked for, or the newest of each loop.
 Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
 {
-    auto history = book.listOf(unit.unit);
-    if (!history)
-        return fail(history.error());
-    unit.history = std::move(*history);
+    MB_TRY(auto history, book.listOf(unit.unit));
+    unit.history = std::move(history);
     addVisits(book.database(), unit, wish.visit);
     if (auto added = addTunings(book, unit, wish.trials); !added)
         return added;
@@ -174,19 +168,16 @@ Result<std::vector<ReportUnit>> reportUnits(
     if (!wish.unit.empty())
         units.push_back(unitFrom(wish.unit, {}, families));
     for (const std::int64_t number : wish.trials) {
-        const auto kept = book.find(number);
-        if (!kept)
-            return fail(kept.error());
-        const auto same = [&](const ReportUnit &unit) { return unit.unit == kept->trial.unit; };
+        MB_TRY(const auto kept, book.find(number));
+        const auto same = [&](const ReportUnit &unit) { return unit.unit == kept.trial.unit; };
         if (std::ranges::none_of(units, same))
-            units.push_back(unitFrom(kept->trial.unit, kept->trial.device, families));
+            units.push_back(unitFrom(kept.trial.unit, kept.trial.device, families));
         ReportUnit &unit = *std::ranges::find_if(units, same);
-        unit.identity.firmware = kept->trial.firmware;
-        unit.simulated = kept->trial.simulated;
+        unit.identity.firmware = kept.trial.firmware;
+        unit.simulated = kept.trial.simulated;
     }
     for (ReportUnit &unit : units) {
-        if (auto filled = fill(book, unit, wish); !filled)
-            return fail(filled.error());
+        MB_TRY_VOID(fill(book, unit, wish));
     }
     return units;
 }

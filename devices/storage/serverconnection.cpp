@@ -99,8 +99,7 @@ Result<std::unique_ptr<ServerConnection>> ServerConnection::open(const ServerAdd
     for (const char *const setting :
         {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000", "SET lock_timeout = 3000",
             "SET idle_in_transaction_session_timeout = 10000", "SET synchronous_commit = on"}) {
-        if (auto set = made->run(setting); !set)
-            return fail(set.error());
+        MB_TRY_VOID(made->run(setting));
     }
     return made;
 }

@@ -33,17 +33,13 @@ Result<Visit> ServiceBook::put(Visit visit, bool isNew)
     for (service::StepEntry &entry : visit.steps)
         entry.time = entry.time > 0.0 ? entry.time : now();
     auto kept = m_database.transact([&]() -> Result<void> {
-        const auto inHand = m_database.run(
-            "INSERT OR REPLACE INTO service_run (run, program) VALUES (?, ?)", {qt(visit.run), qt(thisProgram())});
-        if (!inHand)
-            return fail(inHand.error());
+        MB_TRY_VOID(m_database.run(
+            "INSERT OR REPLACE INTO service_run (run, program) VALUES (?, ?)", {qt(visit.run), qt(thisProgram())}));
         if (isNew)
             return putVisit(m_database, {visit, 1});
-        const auto known = getVisit(m_database, visit.id);
-        if (!known)
-            return fail(known.error());
-        visit.note = visit.note.empty() ? known->visit.note : visit.note;
-        return putVisit(m_database, {visit, known->revision + 1});
+        MB_TRY(const auto known, getVisit(m_database, visit.id));
+        visit.note = visit.note.empty() ? known.visit.note : visit.note;
+        return putVisit(m_database, {visit, known.revision + 1});
     });
     if (!kept)
         return fail(kept.error());
@@ -66,11 +62,9 @@ Task<Visit> ServiceBook::write(Visit visit)
 
 Result<std::vector<Visit>> ServiceBook::list(const VisitFilter &filter)
 {
-    auto kept = getVisits(m_database, filter);
-    if (!kept)
-        return fail(kept.error());
+    MB_TRY(auto kept, getVisits(m_database, filter));
     std::vector<Visit> visits;
-    for (KeptVisit &each : *kept)
+    for (KeptVisit &each : kept)
         visits.push_back(std::move(each.visit));
     return visits;
 }

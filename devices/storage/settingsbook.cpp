@@ -206,10 +206,8 @@ Result<std::vector<ParameterSnapshot>> SettingsBook::read(
     std::vector<ParameterSnapshot> found;
     const std::string statement = columns + " FROM snapshot" + rest;
     const bool isWhole = columns.size() == whole.size();
-    const auto done = m_database.run(statement.c_str(), values,
-        [&found, isWhole](const QSqlQuery &row) { found.push_back(snapshotOf(row, isWhole)); });
-    if (!done)
-        return fail(done.error());
+    MB_TRY_VOID(m_database.run(statement.c_str(), values,
+        [&found, isWhole](const QSqlQuery &row) { found.push_back(snapshotOf(row, isWhole)); }));
     return found;
 }
 

@@ -112,10 +112,8 @@ Result<std::string> SharedJournal::tokenFor(const std::string &scope)
 {
     SqlConnection &sql = m_book.database();
     std::string token;
-    auto read = sql.run("SELECT token FROM service_block WHERE scope = ? AND last < first", {qt(scope)},
-        [&token](const QSqlQuery &row) { token = textAt(row, 0); });
-    if (!read)
-        return fail(read.error());
+    MB_TRY_VOID(sql.run("SELECT token FROM service_block WHERE scope = ? AND last < first", {qt(scope)},
+        [&token](const QSqlQuery &row) { token = textAt(row, 0); }));
     if (!token.empty())
         return token;
     token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <QVariantList>
@@ -12,11 +13,8 @@ class QSqlQuery;
 namespace mb {
 
 /// An open database that takes statements which SQLite and PostgreSQL both understand. Of one thread; waits for disk or server.
-class SqlConnection {
+class SqlConnection : NonCopyable {
 public:
-    SqlConnection() = default;
-    SqlConnection(const SqlConnection &) = delete;
-    SqlConnection &operator=(const SqlConnection &) = delete;
     virtual ~SqlConnection() = default;
 
     using Row = std::function<void(const QSqlQuery &)>;

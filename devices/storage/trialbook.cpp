@@ -241,10 +241,8 @@ Result<std::vector<KeptTrial>> TrialBook::read(const std::string &where, const Q
 {
     std::vector<KeptTrial> trials;
     const std::string statement = columns + where + " ORDER BY id";
-    const auto done = m_database.run(
-        statement.c_str(), values, [&trials](const QSqlQuery &row) { trials.push_back(trialOf(row)); });
-    if (!done)
-        return fail(done.error());
+    MB_TRY_VOID(
+        m_database.run(statement.c_str(), values, [&trials](const QSqlQuery &row) { trials.push_back(trialOf(row)); }));
     return trials;
 }
 
@@ -296,10 +294,8 @@ Result<KeptTrial> TrialBook::find(std::int64_t number)
 {
     std::optional<KeptTrial> found;
     const std::string statement = columns + " WHERE id = ?";
-    const auto read = m_database.run(
-        statement.c_str(), {static_cast<qint64>(number)}, [&found](const QSqlQuery &row) { found = trialOf(row); });
-    if (!read)
-        return fail(read.error());
+    MB_TRY_VOID(m_database.run(
+        statement.c_str(), {static_cast<qint64>(number)}, [&found](const QSqlQuery &row) { found = trialOf(row); }));
     if (!found)
         return fail(Fault::OutOfRange, say("there is no trial %1", number),
             say("'motorbenchctl trials' lists those there are"));

@@ -192,12 +192,10 @@ Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::Visi
 
 Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id)
 {
-    auto found = select(sql, "WHERE id = ?", {qt(id)});
-    if (!found)
-        return fail(found.error());
-    if (found->empty())
+    MB_TRY(auto found, select(sql, "WHERE id = ?", {qt(id)}));
+    if (found.empty())
         return fail(Fault::OutOfRange, say("there is no entry %1 in the journal", id));
-    return std::move(found->front());
+    return std::move(found.front());
 }
 
 namespace {
@@ -217,10 +215,8 @@ Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, const std::string
 Result<int> countUndelivered(SqlConnection &sql, const std::string &server)
 {
     int count = 0;
-    auto counted = sql.run(("SELECT count(*) FROM service_visit " + std::string(notAt)).c_str(), {qt(server)},
-        [&count](const QSqlQuery &row) { count = row.value(0).toInt(); });
-    if (!counted)
-        return fail(counted.error());
+    MB_TRY_VOID(sql.run(("SELECT count(*) FROM service_visit " + std::string(notAt)).c_str(), {qt(server)},
+        [&count](const QSqlQuery &row) { count = row.value(0).toInt(); }));
     return count;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/message.h"
+#include "async/noncopyable.h"
 
 #include <atomic>
 #include <cstddef>
@@ -14,12 +15,10 @@ namespace mb {
 /// Where recordings go beyond their memory budget: a file without a name that is mapped into memory, so that the kernel
 /// writes old chunks to disk and fetches them when somebody scrolls back. The file is gone when the process is, however
 /// it ends. Shared by all histories of a session; thread-safe.
-class ChunkStore {
+class ChunkStore : NonCopyable {
 public:
     /// `folder` must exist and should be on a disk, not in memory. `budget`: bytes of chunks that may stay in memory.
     ChunkStore(std::string folder, std::size_t budget);
-    ChunkStore(const ChunkStore &) = delete;
-    ChunkStore &operator=(const ChunkStore &) = delete;
     ~ChunkStore();
 
     [[nodiscard]] std::size_t budget() const { return m_budget; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "telemetry/chunkstore.h"
 #include "telemetry/point.h"
 #include "telemetry/samplechunk.h"
@@ -19,7 +20,7 @@ namespace mb {
 /// ends cost. Values are doubles (counts exact to 2^53) and extremes are exact; times are whole microseconds. 13.6 bytes
 /// a sample, pyramid included; beyond the budget of a ChunkStore the oldest full chunks move to its file, and everything
 /// else goes on as before. Not thread-safe by itself (queries count their work).
-class SampleTape {
+class SampleTape : NonCopyable {
 public:
     /// Number, mean and sum of squared differences from it; two of them join without loss.
     struct Moments {
@@ -28,9 +29,6 @@ public:
         double squares = 0.0;
     };
 
-    SampleTape() = default;
-    SampleTape(const SampleTape &) = delete;
-    SampleTape &operator=(const SampleTape &) = delete;
     ~SampleTape();
 
     /// Rounded down.

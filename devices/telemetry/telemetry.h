@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "telemetry/channel.h"
 #include "telemetry/history.h"
 
@@ -21,12 +22,10 @@ struct Sample {
 /// The recordings of one device, shared by the device (which writes) and its readers on any thread. Samples gather in a
 /// buffer of the engine thread, and commit() moves them into the histories under one lock a batch. Every channel index
 /// must be inside the table.
-class Telemetry {
+class Telemetry : NonCopyable {
 public:
     /// The table must live as long as this does: families have it in static storage.
     explicit Telemetry(std::span<const Channel> channels);
-    Telemetry(const Telemetry &) = delete;
-    Telemetry &operator=(const Telemetry &) = delete;
 
     /// Any thread. The units of a row may change (useTable), keys and order never do.
     [[nodiscard]] std::span<const Channel> channels() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "traffic/trafficstatistics.h"
 
 #include <cstdint>
@@ -24,11 +25,9 @@ struct TrafficRecord {
 /// The last traffic of one link, for whoever shows it, and the count of all that ever passed, by identifier. Written by the engine thread,
 /// read by any; one short lock a frame, nothing allocated per frame. What a reader did not fetch in time is overwritten, and
 /// the numbers tell how much; the statistics have it all the same.
-class TrafficLog {
+class TrafficLog : NonCopyable {
 public:
     explicit TrafficLog(std::size_t capacity = 65536);
-    TrafficLog(const TrafficLog &) = delete;
-    TrafficLog &operator=(const TrafficLog &) = delete;
 
     void append(Direction direction, const CanFrame &frame);
     /// For links without frames. Nothing happens without bytes.

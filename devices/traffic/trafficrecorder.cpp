@@ -13,10 +13,8 @@ constexpr Duration tickTime = std::chrono::milliseconds(100);
 Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
     Link &link, Clock &clock, Duration unixOffset, const std::string &path)
 {
-    auto file = BackgroundFile::create(path);
-    if (!file)
-        return fail(file.error());
-    return start(link, clock, unixOffset, std::move(*file));
+    MB_TRY(auto file, BackgroundFile::create(path));
+    return start(link, clock, unixOffset, std::move(file));
 }
 
 Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/backgroundfile.h"
+#include "async/noncopyable.h"
 #include "async/sleeplog.h"
 #include "transport/canlink.h"
 #include "wire/framelog.h"
@@ -26,7 +27,7 @@ struct RecordingState {
 
 /// Writes what passes a CAN link into a file, as `candump -L -x` does, or as Vector ASC where its name ends in `.asc`: times are
 /// since 1970, R frames were received, T frames sent by this program. A thread of its own writes.
-class TrafficRecorder {
+class TrafficRecorder : NonCopyable {
 public:
     /// Unsupported for links that are not CAN. `clock` drives the writing and outlives this; `unixOffset` turns the link's time
     /// stamps into Unix time.
@@ -35,8 +36,6 @@ public:
     /// The same into a file that it makes; LinkLost when that cannot be.
     [[nodiscard]] static Result<std::unique_ptr<TrafficRecorder>> start(
         Link &link, Clock &clock, Duration unixOffset, const std::string &path);
-    TrafficRecorder(const TrafficRecorder &) = delete;
-    TrafficRecorder &operator=(const TrafficRecorder &) = delete;
     /// Ends the recording and waits until it is on disk.
     ~TrafficRecorder();
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 #include "transport/canlink.h"
 
@@ -13,23 +14,19 @@ namespace mb {
 
 /// Collects matching frames from its construction on, so that an answer which comes while nobody waits is not lost.
 /// `co_await inbox.next(250ms)` yields the next of them, Timeout, or LinkLost as soon as the link goes.
-class CanInbox {
+class CanInbox : NonCopyable {
 public:
     using Match = std::function<bool(const CanFrame &)>;
 
     CanInbox(CanLink &link, Clock &clock, Match match);
-    CanInbox(const CanInbox &) = delete;
-    CanInbox &operator=(const CanInbox &) = delete;
 
-    class Next {
+    class Next : NonCopyable {
     public:
         explicit Next(CanInbox &inbox, Duration timeout)
             : m_inbox(inbox)
             , m_timeout(timeout)
         {
         }
-        Next(const Next &) = delete;
-        Next &operator=(const Next &) = delete;
         ~Next() { m_inbox.forget(); }
         [[nodiscard]] bool await_ready() const { return m_inbox.isReady(); }
         void await_suspend(std::coroutine_handle<> handle) { m_inbox.wait(handle, m_timeout); }

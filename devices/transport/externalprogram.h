@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <coroutine>
@@ -32,7 +33,7 @@ namespace mb {
 /// a cut is fatal (Progress::mayInterrupt). Keys of a terminal do not reach it. Needs an event loop in the thread that made
 /// it; times are those of the clock.
 /// Coroutines are resumed from the clock, never from inside a signal of the process.
-class ExternalProgram {
+class ExternalProgram : NonCopyable {
 public:
     struct Command {
         std::string program; ///< a name that is looked up in PATH, or a path
@@ -51,8 +52,6 @@ public:
     static constexpr std::size_t longestLine = 4096;
 
     explicit ExternalProgram(Clock &clock);
-    ExternalProgram(const ExternalProgram &) = delete;
-    ExternalProgram &operator=(const ExternalProgram &) = delete;
     ~ExternalProgram();
 
     /// Where PATH finds `program`; nothing when it is not installed.
@@ -61,15 +60,13 @@ public:
     /// Once. LinkLost when there is no such program or it cannot be run; that it dies later shows in exit().
     [[nodiscard]] Result<void> start(const Command &command);
 
-    class Next {
+    class Next : NonCopyable {
     public:
         Next(ExternalProgram &program, Duration timeout)
             : m_program(program)
             , m_timeout(timeout)
         {
         }
-        Next(const Next &) = delete;
-        Next &operator=(const Next &) = delete;
         ~Next() { m_program.forget(); }
         [[nodiscard]] bool await_ready() const { return m_program.isReady(); }
         void await_suspend(std::coroutine_handle<> handle) { m_program.wait(handle, m_timeout); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/link.h"
 
+#include "async/noncopyable.h"
+
 namespace mb {
 
 Link::Link(LinkAddress address, LinkKind kind)
@@ -79,14 +81,12 @@ Task<void> Link::openSoon()
         co_return fail(Fault::LinkLost, say("%1 is being opened already", m_address.shortName()));
     if (!m_settings.background)
         co_return open();
-    struct Mark {
+    struct Mark : private NonCopyable {
         explicit Mark(bool &opening)
             : isOpening(opening)
         {
             isOpening = true;
         }
-        Mark(const Mark &) = delete;
-        Mark &operator=(const Mark &) = delete;
         ~Mark() { isOpening = false; }
         bool &isOpening;
     };

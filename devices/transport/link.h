@@ -3,6 +3,7 @@
 
 #include "async/background.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 #include "async/result.h"
 #include "transport/linkaddress.h"
 #include "transport/linkidentity.h"
@@ -69,10 +70,8 @@ struct LinkSettings {
 
 /// A way to devices. Owns its backend; address, state, counters and the trace tap are common, the rest is in CanLink,
 /// SerialLink and SpiLink. Single-threaded: everything, notifications too, on the thread that made it.
-class Link {
+class Link : NonCopyable {
 public:
-    Link(const Link &) = delete;
-    Link &operator=(const Link &) = delete;
     virtual ~Link();
 
     [[nodiscard]] const LinkAddress &address() const { return m_address; }

@@ -57,8 +57,7 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
     const auto question = rest.find('?');
     address.path = rest.substr(0, question);
     if (question != std::string_view::npos) {
-        if (auto parsed = parseOptions(rest.substr(question + 1), address.options); !parsed)
-            return fail(parsed.error());
+        MB_TRY_VOID(parseOptions(rest.substr(question + 1), address.options));
     }
     if (address.isSimulated()) {
         if (!address.path.empty() && address.path != "can" && address.path != "serial" && address.path != "spi")

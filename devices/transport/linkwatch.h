@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/noncopyable.h"
 
 #include <memory>
 
@@ -13,11 +14,9 @@ namespace mb {
 /// Tells when CAN interfaces come, go, are switched or renamed: the kernel's own notice (rtnetlink), no polling. Lives in
 /// the event loop of the thread that makes it. Several notices at once are told once, 20 ms later, when the interface is
 /// ready for use. Where the kernel does not give notices nothing is told: look now and then as well.
-class LinkWatch {
+class LinkWatch : NonCopyable {
 public:
     explicit LinkWatch(Clock &clock);
-    LinkWatch(const LinkWatch &) = delete;
-    LinkWatch &operator=(const LinkWatch &) = delete;
     ~LinkWatch();
 
     [[nodiscard]] Listeners<> &changed() { return m_changed; }

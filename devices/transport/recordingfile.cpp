@@ -54,17 +54,15 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
         return fail(Fault::OutOfRange, say("%1 is not a file", path), say("name a recording"));
     file->m_size = static_cast<std::uint64_t>(status.st_size);
     file->m_places.push_back({});
-    auto first = file->read(file->m_player);
+    MB_TRY(auto first, file->read(file->m_player));
     if (!first)
-        return fail(first.error());
-    if (!*first)
         return file->m_interface.empty()
             ? fail(Fault::OutOfRange, say("%1 has no frame in it", path), say("record again"))
             : fail(
                 Fault::OutOfRange, say("%1 has no frame of %2", path, file->m_interface), say("leave out interface="));
-    file->m_start = (*first)->time;
+    file->m_start = first->time;
     file->m_end = file->m_start;
-    file->m_sought = std::move(*first);
+    file->m_sought = std::move(first);
     return file;
 }
 
@@ -112,12 +110,10 @@ Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor, std::uint
 {
     while (cursor.place.offset < until) {
         bool cut = false;
-        const auto text = line(cursor, cut);
+        MB_TRY(const auto text, line(cursor, cut));
         if (!text)
-            return fail(text.error());
-        if (!*text)
             return std::optional<LoggedFrame>();
-        auto frame = cut ? cursor.place.parser.parseLast(**text) : cursor.place.parser.parse(**text);
+        auto frame = cut ? cursor.place.parser.parseLast(*text) : cursor.place.parser.parse(*text);
         if (!frame)
             return fail(located(frame.error()));
         if (!*frame || (!m_interface.empty() && (*frame)->link != m_interface))
@@ -148,10 +144,8 @@ Result<void> RecordingFile::seek(Duration time)
     m_sought.reset();
     m_readsOn = false;
     do {
-        auto frame = read(m_player);
-        if (!frame)
-            return fail(frame.error());
-        m_sought = std::move(*frame);
+        MB_TRY(auto frame, read(m_player));
+        m_sought = std::move(frame);
     } while (m_sought && m_sought->time < time);
     return {};
 }

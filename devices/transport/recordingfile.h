@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "wire/framelog.h"
 
 #include <functional>
@@ -13,13 +14,11 @@ namespace mb {
 
 /// A log file (candump or Vector ASC, by content) as frames in the order of time. It is read in pieces, never as a
 /// whole: a file of any length costs a buffer and one place to seek to for every 256 KiB. Blocks as long as the disk does.
-class RecordingFile {
+class RecordingFile : NonCopyable {
 public:
     /// `interface`: only frames of this one; empty: of all. LinkLost when there is no such file or it may not be read,
     /// OutOfRange when it is no recording or has no frame.
     [[nodiscard]] static Result<std::unique_ptr<RecordingFile>> open(const std::string &path, std::string interface);
-    RecordingFile(const RecordingFile &) = delete;
-    RecordingFile &operator=(const RecordingFile &) = delete;
     ~RecordingFile();
 
     /// The next frame to play; nothing at the end, or where a piece of the file had none (isReadingOn()): again then. Times never go back: a frame that is older than the one before gets

@@ -43,10 +43,8 @@ Result<void> SerialLink::send(std::span<const std::uint8_t> bytes, Priority prio
 
 Result<void> SerialLink::setBaudrate(int baudrate)
 {
-    const auto isNew = isNewRate(baudrate);
-    if (!isNew)
-        return fail(isNew.error());
-    if (*isNew && state() == LinkState::Open) {
+    MB_TRY(const auto isNew, isNewRate(baudrate));
+    if (isNew && state() == LinkState::Open) {
         if (auto set = doSetBaudrate(baudrate); !set)
             return set;
     }

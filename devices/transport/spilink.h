@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 #include "async/turns.h"
 #include "transport/lineload.h"
@@ -26,11 +27,9 @@ public:
 
     /// `const Result<Bytes> miso = co_await link.transfer(mosi);` Chip select falls, the bytes are clocked, chip select
     /// rises. Dropped with its coroutine: a transfer that has not begun does not take place. LinkLost when the link goes.
-    class Transfer {
+    class Transfer : mb::NonCopyable {
     public:
         Transfer(SpiLink &link, Bytes mosi);
-        Transfer(const Transfer &) = delete;
-        Transfer &operator=(const Transfer &) = delete;
         ~Transfer();
         [[nodiscard]] bool await_ready() const noexcept { return false; }
         bool await_suspend(std::coroutine_handle<> handle);

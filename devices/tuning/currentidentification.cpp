@@ -239,29 +239,27 @@ Task<void> CurrentIdentification::push(AutotuneRun &run)
 
 Result<void> CurrentIdentification::conclude(AutotuneRun &run) const
 {
-    const auto ohm = fitOhm(m_pushes);
-    if (!ohm)
-        return fail(ohm.error());
-    const double doubt = ohm->gainError / ohm->gain;
+    MB_TRY(const auto ohm, fitOhm(m_pushes));
+    const double doubt = ohm.gainError / ohm.gain;
     MotorFound found;
-    found.line.gain = ohm->gain;
-    found.line.gainError = ohm->gainError;
+    found.line.gain = ohm.gain;
+    found.line.gainError = ohm.gainError;
     found.pushes.tau = electricalTime;
-    found.supply = ohm->supply;
+    found.supply = ohm.supply;
     found.unit = "A per duty";
     std::vector<Gate> gates{
-        {"resistance", say("the pushes differ by %1 in their resistance, at most 15 %", percentText(ohm->scatter)),
-            ohm->scatter <= mostUnlike, say("see whether brushes and plugs make contact")},
+        {"resistance", say("the pushes differ by %1 in their resistance, at most 15 %", percentText(ohm.scatter)),
+            ohm.scatter <= mostUnlike, say("see whether brushes and plugs make contact")},
         {"fit", say("the resistance is known within %1, at most 10 %", percentText(doubt)), doubt <= mostDoubt,
             say("allow more current or duty")}};
-    const double step = currentStep(ohm->gain, run.envelope());
+    const double step = currentStep(ohm.gain, run.envelope());
     const double noise = currentNoise(m_pushes);
     gates.push_back({"resolution",
         say("a step of %1 stands in noise of %2, at most %3; the mean of %4 tells it", amperes(step), amperes(noise),
             amperes(mostNoise(step)), currentRepeats(noise, step)),
         noise <= mostNoise(step), say("this unit is for motors of more current")});
-    PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
-    plant.backDuty = std::max(ohm->back, 0.0);
+    PlantModel plant{ohm.gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
+    plant.backDuty = std::max(ohm.back, 0.0);
     plant.noise = noise;
     const PickUp pickUp = pickUpOf(m_pushes);
     plant.pickUp = pickUp.rate;

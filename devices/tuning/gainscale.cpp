@@ -166,8 +166,7 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
     if (!parameters || (!units && !tried))
         return fail(Fault::Unsupported, say("what a gain of %1 means in this loop is not known", family.title),
             say("tune it by hand with 'motorbenchctl step'"));
-    if (auto known = checkScales(family, profile, loop); !known)
-        return fail(known.error());
+    MB_TRY_VOID(checkScales(family, profile, loop));
     const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);
     const auto rows = loopParameters(family, *parameters, axis, slot);
     if (rows.empty())
@@ -179,11 +178,9 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
     for (const ParameterIndex index : rows) {
         const Role role = family.parameters[index.value].role;
         if (role == Role::Divisor) {
-            if (auto added = add(family, index, divisor, scaled); !added)
-                return fail(added.error());
+            MB_TRY_VOID(add(family, index, divisor, scaled));
         } else if (const Term *const term = termOf(terms, role)) {
-            if (auto added = addGain(family, index, gains.*term->gain * term->scale * divisor, scaled); !added)
-                return fail(added.error());
+            MB_TRY_VOID(addGain(family, index, gains.*term->gain * term->scale * divisor, scaled));
             if (term->scale != 0.0)
                 scaled.made.*term->gain = scaled.rows.back().number / (term->scale * divisor);
         }

@@ -190,23 +190,19 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
         std::vector<double> duties;
         for (const PushRecord &record : records)
             duties.push_back(record.duty);
-        const auto fit = fitPushes(records);
-        if (!fit)
-            return fail(fit.error());
-        found.pushes = *fit;
-        const auto line = fitGain(duties, fit->speeds);
-        if (!line)
-            return fail(line.error());
-        found.line = *line;
+        MB_TRY(const auto fit, fitPushes(records));
+        found.pushes = fit;
+        MB_TRY(const auto line, fitGain(duties, fit.speeds));
+        found.line = line;
         std::vector<RollOut> rolls;
         for (const Trial &trial : pushes) {
-            const auto more = rollOutsOf(trial, *fit, line->friction);
+            const auto more = rollOutsOf(trial, fit, line.friction);
             rolls.insert(rolls.end(), more.begin(), more.end());
         }
         found.heat = heat / heatThatStays;
-        const double warm = 1.0 + fit->warming * found.heat;
+        const double warm = 1.0 + fit.warming * found.heat;
         found.braking
-            = brakingOf(rolls, fit->tau * sagged(fit->sag, 0.0) * warm, line->gain * line->friction).value_or(1.0);
+            = brakingOf(rolls, fit.tau * sagged(fit.sag, 0.0) * warm, line.gain * line.friction).value_or(1.0);
         if (!growsSlowly(pushes))
             break;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/task.h"
 
 namespace mb::tuning {
@@ -8,11 +9,8 @@ namespace mb::tuning {
 class AutotuneRun;
 
 /// A way to find out what a motor does, as one of its loops sees it: one class a way. Lives as long as the tuning.
-class MotorIdentification {
+class MotorIdentification : NonCopyable {
 public:
-    MotorIdentification() = default;
-    MotorIdentification(const MotorIdentification &) = delete;
-    MotorIdentification &operator=(const MotorIdentification &) = delete;
     virtual ~MotorIdentification() = default;
 
     /// Experiments until AutotuneRun::take() has what they tell. Also ends, without that, when the run is over. Refused,

@@ -162,10 +162,8 @@ std::optional<ProfileLimits> profileOf(const ProposalBasis &basis)
 Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
 {
     const PlantModel &plant = basis.plant;
-    auto parameters = parametersOf(basis, proposal.design);
-    if (!parameters)
-        return fail(parameters.error());
-    proposal.gains = std::move(*parameters);
+    MB_TRY(auto parameters, parametersOf(basis, proposal.design));
+    proposal.gains = std::move(parameters);
     const ContinuousGains &gains = proposal.gains.made;
     const LoopShape shape = shapeOf(basis);
     proposal.margins = marginsOf(basis.loop, plant, gains);
@@ -210,15 +208,13 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         task.quickest = basis.scale ? basis.scale->quickest : 0.0;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
-    if (auto made = finish(basis, task.step, proposal); !made)
-        return fail(made.error());
+    MB_TRY_VOID(finish(basis, task.step, proposal));
     const PlantModel steep = atLeastAsSteep(plant, wish.steepest);
     for (int i = 0; i < mostRoundings && !hasMargin(basis.loop, steep, proposal.gains.made, ms.model, ms.off); ++i) {
         ContinuousGains &gains = proposal.design.gains; // rounding has made more of them
         for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
             gains.*gain *= lessForRounding;
-        if (auto made = finish(basis, task.step, proposal); !made)
-            return fail(made.error());
+        MB_TRY_VOID(finish(basis, task.step, proposal));
     }
     return proposal;
 }
@@ -275,10 +271,8 @@ double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, c
 
 Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal)
 {
-    auto parameters = parametersOf(basis, proposal.design);
-    if (!parameters)
-        return fail(parameters.error());
-    proposal.gains = std::move(*parameters);
+    MB_TRY(auto parameters, parametersOf(basis, proposal.design));
+    proposal.gains = std::move(parameters);
     return proposal;
 }
 

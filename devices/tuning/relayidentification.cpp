@@ -67,10 +67,8 @@ Task<void> RelayIdentification::push(AutotuneRun &run, double duty)
 /// own voltage takes off the duty tells the gain alone.
 Result<void> RelayIdentification::readPushes()
 {
-    auto found = tuning::identify(m_pushes);
-    if (!found)
-        return fail(found.error());
-    m_found = std::move(*found);
+    MB_TRY(auto found, tuning::identify(m_pushes));
+    m_found = std::move(found);
     m_plant = {m_found.line.gain, m_found.pushes.tau, m_found.pushes.delay, m_found.line.friction, m_found.braking};
     m_doubt = m_found.line.gainError / m_found.line.gain + m_found.pushes.tauError / m_found.pushes.tau;
     const Signal *const current = m_pushes.front().signal("current");

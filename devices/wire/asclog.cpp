@@ -98,8 +98,7 @@ Result<std::optional<LoggedFrame>> AscParser::parse(std::string_view line)
         return none;
     }
     if (equalsAnyCase(first, "base")) {
-        if (auto read = readBase(words); !read)
-            return fail(read.error());
+        MB_TRY_VOID(readBase(words));
         return none;
     }
     if (equalsAnyCase(first, "date")) {
@@ -173,8 +172,7 @@ Result<void> AscParser::readTime(std::string_view time)
 Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, Words words)
 {
     const std::optional<LoggedFrame> none;
-    if (auto read = readTime(time); !read)
-        return fail(read.error());
+    MB_TRY_VOID(readTime(time));
     const std::string_view where = words.take();
     if (equalsAnyCase(where, "canfd")) {
         ++m_fdFrames;
@@ -189,10 +187,8 @@ Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, W
     if (equalsAnyCase(what, "errorframe")) {
         logged = readErrorFrame(direction == "//" ? words : Words{});
     } else if (equalsAnyCase(direction, "rx") || equalsAnyCase(direction, "tx")) {
-        auto frame = readFrame(what, direction, words);
-        if (!frame)
-            return fail(frame.error());
-        logged = std::move(*frame);
+        MB_TRY(auto frame, readFrame(what, direction, words));
+        logged = std::move(frame);
     } else {
         CanFrame frame;
         if (readId(what, m_hex, frame) && !equalsAnyCase(direction, "txrq"))
@@ -238,8 +234,7 @@ Result<LoggedFrame> AscParser::readFrame(std::string_view id, std::string_view d
     if (!size || *size > 15)
         return malformed(say("the length of the frame is %1", quoted(length)));
     frame.size = static_cast<std::uint8_t>(std::min<std::uint64_t>(*size, frame.data.size())); // 9…15 mean 8
-    if (auto read = readBytes(words, frame); !read)
-        return fail(read.error());
+    MB_TRY_VOID(readBytes(words, frame));
     return logged;
 }
 

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "widgets/common/workbench.h"
 
 namespace mb {
 
 /// How often one page wishes to see what it shows, told to the engine when that changes; ends with the page, which the workbench
 /// outlives. What a device then sends decides app/engine/rates.h. GUI thread.
-class PageRates {
+class PageRates : NonCopyable {
 public:
     explicit PageRates(Workbench &workbench)
         : m_workbench(workbench)
     {
     }
-    PageRates(const PageRates &) = delete;
-    PageRates &operator=(const PageRates &) = delete;
     ~PageRates() { wish({}); }
 
     /// From now on instead of what was wished before; nothing where nobody sees the page.

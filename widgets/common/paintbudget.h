@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
+
 #include <chrono>
 
 namespace mb {
@@ -24,14 +26,12 @@ private:
 };
 
 /// Spends from a budget from here to the end of its scope. Inside another one it is a part of that.
-class Painting {
+class Painting : NonCopyable {
 public:
     explicit Painting(PaintBudget &budget)
         : m_budget(budget)
     {
     }
-    Painting(const Painting &) = delete;
-    Painting &operator=(const Painting &) = delete;
     ~Painting() { m_budget.spend(m_begun, PaintBudget::Clock::now()); }
 
 private:

@@ -43,12 +43,10 @@ Result<void> writeUnit(const QString &file, const QString &name, const QJsonObje
     QDir().mkpath(QFileInfo(file).path());
     QLockFile lock(file + QStringLiteral(".lock"));
     (void)lock.tryLock(lockTime); // where none can be made nobody else writes either
-    Result<QJsonObject> units = unitsIn(file);
-    if (!units)
-        return fail(units.error());
-    units->insert(name, unit);
+    MB_TRY(QJsonObject units, unitsIn(file));
+    units.insert(name, unit);
     return saveFile(
-        file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, *units}}).toJson());
+        file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, units}}).toJson());
 }
 
 } // namespace
@@ -58,10 +56,8 @@ Result<void> EnvelopeBook::open(const QString &file)
     finish();
     m_file.clear(); // what is not ours is not written over
     m_units.clear();
-    const Result<QJsonObject> units = unitsIn(file);
-    if (!units)
-        return fail(units.error());
-    for (auto unit = units->begin(); unit != units->end(); ++unit) {
+    MB_TRY(const QJsonObject units, unitsIn(file));
+    for (auto unit = units.begin(); unit != units.end(); ++unit) {
         Unit &read = m_units[unit.key().toStdString()];
         const QJsonObject object = unit.value().toObject();
         read.entered = tuning::limitsFrom(object.value(enteredKey).toObject());

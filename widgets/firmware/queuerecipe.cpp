@@ -10,10 +10,8 @@ namespace mb {
 
 Result<void> QueueRecipe::openRecipe(const QString &path, std::span<const Family *const> families)
 {
-    auto loaded = service::loadRecipe(QFile::encodeName(path).toStdString(), families);
-    if (!loaded)
-        return fail(loaded.error());
-    m_matter = std::make_shared<const service::RecipeMatter>(std::move(*loaded));
+    MB_TRY(auto loaded, service::loadRecipe(QFile::encodeName(path).toStdString(), families));
+    m_matter = std::make_shared<const service::RecipeMatter>(std::move(loaded));
     m_path = path;
     return {};
 }
@@ -30,10 +28,8 @@ Result<void> QueueRecipe::openImage(const QString &path, const std::vector<const
         recipe.name = QFileInfo(path).fileName().toStdString();
         recipe.family = family;
         recipe.firmware = service::FirmwareRule{QFileInfo(path).absoluteFilePath().toStdString(), {}};
-        auto matter = service::gatherMatter(std::move(recipe), QFileInfo(path).absolutePath().toStdString());
-        if (!matter)
-            return fail(matter.error());
-        m_matter = std::make_shared<const service::RecipeMatter>(std::move(*matter));
+        MB_TRY(auto matter, service::gatherMatter(std::move(recipe), QFileInfo(path).absolutePath().toStdString()));
+        m_matter = std::make_shared<const service::RecipeMatter>(std::move(matter));
         m_path.clear();
         return {};
     }

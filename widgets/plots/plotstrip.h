@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
 #include "widgets/plots/plotframe.h"
@@ -19,7 +20,7 @@ struct StripStyle {
 
 /// One strip of a stack of plots: an axis rectangle with two value axes, each of which follows its data or is fixed, and
 /// what is drawn around the traces. The rectangle belongs to the plot. GUI thread.
-class PlotStrip {
+class PlotStrip : NonCopyable {
     Q_DECLARE_TR_FUNCTIONS(PlotStrip)
 public:
     using Range = std::pair<double, double>;
@@ -27,8 +28,6 @@ public:
     /// All strips of a plot share margins and the labels of time.
     PlotStrip(
         PlotFrame &plot, QCPMarginGroup &margins, const QSharedPointer<TimeTicker> &time, const ThemeSource &theme);
-    PlotStrip(const PlotStrip &) = delete;
-    PlotStrip &operator=(const PlotStrip &) = delete;
 
     [[nodiscard]] QCPAxisRect &rect() const { return *m_rect; }
     [[nodiscard]] QCPAxis &keys() const { return *m_rect->axis(QCPAxis::atBottom); }

@@ -147,16 +147,14 @@ void RecipeEditor::askToDiscard()
 
 Result<void> RecipeEditor::openFile(const QString &path)
 {
-    const auto text = loadFile(path.toStdString(), mostBytes);
-    if (!text)
-        return fail(text.error());
-    const auto recipe = service::parseRecipe(*text, m_families);
+    MB_TRY(const auto text, loadFile(path.toStdString(), mostBytes));
+    const auto recipe = service::parseRecipe(text, m_families);
     if (!recipe)
         return fail(recipe.error().about(path.toStdString()));
     m_path = QFileInfo(path).absoluteFilePath();
     setWindowTitle(tr("Recipe %1").arg(QFileInfo(path).fileName()));
     m_form->setFolder(folder());
-    m_form->setText(*text);
+    m_form->setText(text);
     m_kept = m_form->text();
     return {};
 }

@@ -199,16 +199,14 @@ GuardianClient::~GuardianClient()
 
 Result<std::unique_ptr<GuardWatch>> GuardianClient::watch(Link &link, const StopScript &script, const std::string &name)
 {
-    const auto post = postAt(link);
-    if (!post)
-        return fail(post.error());
+    MB_TRY(const auto post, postAt(link));
     guardian::Order order{guardian::Order::Kind::Watch, ++m_lastId, name, {}};
-    order.script = wireScript(script, (*post)->form());
+    order.script = wireScript(script, post->form());
     const guardian::Bytes packet = guardian::encode(order);
     if (packet.size() > guardian::largestMessage || guardian::decodeOrder(packet) != order)
         return fail(Fault::Unsafe, say("the stop script of this device is not one that a guardian can carry out"));
-    auto watch = std::make_unique<Watch>(*this, *post, order.id, name);
-    (*post)->say(order);
+    auto watch = std::make_unique<Watch>(*this, post, order.id, name);
+    post->say(order);
     return watch;
 }
 
@@ -221,14 +219,11 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
             return post;
     }
     const std::string &line = link.line();
-    if (auto usable = bookIsUsable(line); !usable)
-        return fail(usable.error());
+    MB_TRY_VOID(bookIsUsable(line));
     // a terminal or socket by its whole path: the guardian has another working directory
     const std::string name = line.starts_with('/') ? link.address().path : line.substr(line.find(':') + 1);
-    const auto process = startGuardian(m_program, {link.outlet(), m_folder, line, name});
-    if (!process)
-        return fail(process.error());
-    auto post = std::make_shared<Post>(link, *process, m_ended,
+    MB_TRY(const auto process, startGuardian(m_program, {link.outlet(), m_folder, line, name}));
+    auto post = std::make_shared<Post>(link, process, m_ended,
         [this](const Post &from, const std::string &device, Verdict verdict) { acted(from, device, verdict); });
     m_posts.push_back(post);
     return post;

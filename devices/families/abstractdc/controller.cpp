@@ -125,10 +125,8 @@ Result<void> Controller::doMayMove() const
 
 Result<void> Controller::check(const SetPoint &setPoint) const
 {
-    const auto command = commandOf(setPoint, knowledge().profile());
-    if (!command)
-        return fail(command.error());
-    if (command->loop != Loop::Velocity || m_logs.loop() == Loop::Velocity)
+    MB_TRY(const auto command, commandOf(setPoint, knowledge().profile()));
+    if (command.loop != Loop::Velocity || m_logs.loop() == Loop::Velocity)
         return {};
     return mayEnterVelocity(m_logs.entrySpeed(), parameters(), LeadProbe().most());
 }
@@ -152,45 +150,43 @@ Message Controller::caution(const SetPoint &setPoint) const
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
-    const auto command = commandOf(setPoint, knowledge().profile());
-    if (!command)
-        return fail(command.error());
+    MB_TRY(const auto command, commandOf(setPoint, knowledge().profile()));
     if (m_logs.output().hasWrapped())
         return fail(Fault::Unsafe, say("the output of its loop passed 32767, where it turns to full reverse"),
             say("lower the gains or the steps"));
-    const bool beginsFromPosition = command->loop == Loop::Position
-        || (command->loop == Loop::Velocity && m_logs.loop() != Loop::Velocity); // README.md#first-pass
+    const bool beginsFromPosition = command.loop == Loop::Position
+        || (command.loop == Loop::Velocity && m_logs.loop() != Loop::Velocity); // README.md#first-pass
     if (beginsFromPosition && !m_logs.motion().position())
         return fail(Fault::Unsafe, say("its position is not known yet"),
             say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();
-    if (m_logs.loop() != command->loop || !m_ours) {
+    if (m_logs.loop() != command.loop || !m_ours) {
         m_lead.reset();
         m_probe.reset();
     }
-    const auto feedback = m_logs.feedback(command->loop, command->target);
-    const bool hasPassed = m_ours && m_logs.loop() == command->loop && m_logs.hasPassed(now);
-    const double most = greatestError(parameters(), command->loop, hasPassed, m_probe.most());
+    const auto feedback = m_logs.feedback(command.loop, command.target);
+    const bool hasPassed = m_ours && m_logs.loop() == command.loop && m_logs.hasPassed(now);
+    const double most = greatestError(parameters(), command.loop, hasPassed, m_probe.most());
     const Whereabouts::SpeedRange entry = m_logs.entrySpeed();
-    const std::int32_t target = command->loop == Loop::Velocity && !hasPassed // README.md#first-pass
-        ? m_lead.next(*command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
-        : m_lead.next(*command, setPoint.ramp, feedback, most, now);
-    const bool news = m_logs.loop() != command->loop || !m_ours || target != m_sentTarget;
+    const std::int32_t target = command.loop == Loop::Velocity && !hasPassed // README.md#first-pass
+        ? m_lead.next(command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
+        : m_lead.next(command, setPoint.ramp, feedback, most, now);
+    const bool news = m_logs.loop() != command.loop || !m_ours || target != m_sentTarget;
     // At low bit rates set-points would fill the wire: then a newer one waits for the next call.
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
-    if (m_ours && m_logs.loop() == command->loop && now - m_sentAt < spacing)
+    if (m_ours && m_logs.loop() == command.loop && now - m_sentAt < spacing)
         return {};
-    if (auto sent = m_can.send(encodeSetPoint(*m_logs.dialect(), identity().address, command->loop, target)); !sent)
+    if (auto sent = m_can.send(encodeSetPoint(*m_logs.dialect(), identity().address, command.loop, target)); !sent)
         return sent;
     m_sentTarget = target;
     m_sentAt = now;
     m_ours = true;
     m_probe.sent(std::abs(target - feedback.value_or(0.0)) + 1.0 >= m_probe.most(), now);
-    enter(command->loop, now);
+    enter(command.loop, now);
     const double perCount
-        = command->loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;
+        = command.loop == Loop::Current ? knowledge().profile().calibrated(calibration::amperes, 1.0) : 1.0;
     telemetry()->append(
-        {channel::setPoint, now, command->loop == Loop::Direct ? target / double{fullPwm} : target * perCount});
+        {channel::setPoint, now, command.loop == Loop::Direct ? target / double{fullPwm} : target * perCount});
     return {};
 }
 

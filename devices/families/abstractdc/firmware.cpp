@@ -118,8 +118,7 @@ Task<Attempt> program(
 
 Result<void> preflight(const FirmwareImage &image, const UpdateOptions &options)
 {
-    if (auto summary = inspect(image); !summary)
-        return fail(summary.error());
+    MB_TRY_VOID(inspect(image));
     if (options.eraseSettings && touchesSettings(image))
         return fail(
             Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));

@@ -59,9 +59,7 @@ std::optional<double> strengthOf(const ParameterStore &known, Loop loop, double 
 
 Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile)
 {
-    const auto scale = scaleOf(setPoint.mode, profile);
-    if (!scale)
-        return fail(scale.error());
+    MB_TRY(const auto scale, scaleOf(setPoint.mode, profile));
     if (setPoint.reverseMotor || setPoint.reverseSensor)
         return fail(Fault::Unsupported, say("an Abstract DC Drive cannot exchange directions"),
             say("exchange the wires, or the sign of the divisor"));
@@ -72,10 +70,10 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
         return fail(Fault::OutOfRange, say("%1 needs a number", toString(setPoint.mode)));
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)
         return fail(Fault::OutOfRange, say("the ramp must be 0 or a positive number of duty per second"));
-    if (setPoint.target < scale->low || setPoint.target > scale->high)
+    if (setPoint.target < scale.low || setPoint.target > scale.high)
         return fail(Fault::OutOfRange,
-            say("%1 %2 is outside %3 … %4", toString(setPoint.mode), setPoint.target, scale->low, scale->high));
-    return Command{scale->loop, static_cast<std::int32_t>(std::lround(setPoint.target * scale->one))};
+            say("%1 %2 is outside %3 … %4", toString(setPoint.mode), setPoint.target, scale.low, scale.high));
+    return Command{scale.loop, static_cast<std::int32_t>(std::lround(setPoint.target * scale.one))};
 }
 
 Mode modeOf(Loop loop)

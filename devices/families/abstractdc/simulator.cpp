@@ -10,13 +10,11 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
         return fail(Fault::Unsupported, say("Abstract DC Drives live on CAN links only"));
-    const auto options = simulation::UnitOptions::parse(unit);
-    if (!options)
-        return fail(options.error());
-    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("abstractdc:" + std::to_string(options->offset));
-    made->add(*can, clock, *options);
-    if (options->find("duplicate")) {
-        simulation::UnitOptions twin = *options;
+    MB_TRY(const auto options, simulation::UnitOptions::parse(unit));
+    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("abstractdc:" + std::to_string(options.offset));
+    made->add(*can, clock, options);
+    if (options.find("duplicate")) {
+        simulation::UnitOptions twin = options;
         twin.temperatureOffset = 2;
         made->addBeside(*can, clock, twin);
     }

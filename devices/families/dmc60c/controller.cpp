@@ -200,9 +200,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 Result<void> Controller::check(const SetPoint &setPoint) const
 {
-    const auto control = controlFor(setPoint, identity().address);
-    if (!control)
-        return fail(control.error());
+    MB_TRY_VOID(controlFor(setPoint, identity().address));
     return {};
 }
 
@@ -217,22 +215,20 @@ Result<void> Controller::doMayMove() const
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
-    const auto control = controlFor(setPoint, identity().address);
-    if (!control)
-        return fail(control.error());
+    MB_TRY(const auto control, controlFor(setPoint, identity().address));
     if (m_commandedAt == Instant{} || clock().now() - m_commandedAt > controlLimit)
         m_wakes = wakesNeeded;
     m_commandedAt = clock().now();
-    m_isBraked = control->brake.value_or(false);
+    m_isBraked = control.brake.value_or(false);
     if (m_wakes > 0) {
         --m_wakes;
         // README.md#stopping: only a target that is not zero ends the halt. The least there is goes first.
-        Control wake = *control;
+        Control wake = control;
         wake.target = 1;
-        if (control->target == 0)
+        if (control.target == 0)
             (void)m_can.send(encodeControl(identity().address, wake));
     }
-    if (auto sent = m_can.send(encodeControl(identity().address, *control)); !sent)
+    if (auto sent = m_can.send(encodeControl(identity().address, control)); !sent)
         return sent;
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
     return {};

@@ -7,15 +7,13 @@ namespace mb::dmc60c {
 
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
-    const auto application = applicationFrom(image);
-    if (!application)
-        return fail(application.error());
+    MB_TRY(const auto application, applicationFrom(image));
     ImageSummary summary;
-    summary.version = versionText(application->version);
-    for (const Page &page : application->pages)
+    summary.version = versionText(application.version);
+    for (const Page &page : application.pages)
         summary.parts.push_back(page.number);
     summary.criticalPart = firstPage;
-    summary.notes = application->notes;
+    summary.notes = application.notes;
     return summary;
 }
 

@@ -2,6 +2,7 @@
 // Controller: parameters, faults, rates, and the proof that flash has them.
 #include "families/dmc60c/parameterdesk.h"
 
+#include "async/noncopyable.h"
 #include "async/sleep.h"
 #include "families/dmc60c/channels.h"
 #include "families/dmc60c/parameters.h"
@@ -19,15 +20,13 @@ constexpr Duration sequencePollPeriod = 250ms;
 constexpr int counterTries = 4;
 
 /// False for as long as this lives, and then what it was.
-class Remembered {
+class Remembered : NonCopyable {
 public:
     explicit Remembered(bool &flag)
         : m_flag(flag)
         , m_was(std::exchange(flag, false))
     {
     }
-    Remembered(const Remembered &) = delete;
-    Remembered &operator=(const Remembered &) = delete;
     ~Remembered() { m_flag = m_flag || m_was; }
 
 private:

@@ -78,21 +78,15 @@ Result<Control> controlFor(const SetPoint &setPoint, int device)
         return fail(Fault::Unsupported, say("a DMC60C has one axis"));
     if (setPoint.slot != 0 && setPoint.slot != 1)
         return fail(Fault::Unsupported, say("a DMC60C has the gain slots 0 and 1"));
-    const auto scale = scaleOf(setPoint.mode);
-    if (!scale)
-        return fail(scale.error());
+    MB_TRY(const auto scale, scaleOf(setPoint.mode));
     if (setPoint.mode == Mode::Off)
         return Control{};
-    const auto target = targetOf(setPoint, *scale, device);
-    if (!target)
-        return fail(target.error());
-    const auto ramp = rampOf(setPoint.ramp);
-    if (!ramp)
-        return fail(ramp.error());
+    MB_TRY(const auto target, targetOf(setPoint, scale, device));
+    MB_TRY(const auto ramp, rampOf(setPoint.ramp));
     Control control;
-    control.mode = scale->mode;
-    control.target = *target;
-    control.ramp = *ramp;
+    control.mode = scale.mode;
+    control.target = target;
+    control.ramp = ramp;
     control.slot = setPoint.slot;
     control.brake = setPoint.brake;
     control.reverseMotor = setPoint.reverseMotor;

@@ -9,14 +9,12 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     if (link.kind() != LinkKind::Can)
         return fail(Fault::OutOfRange, say("a DMC60C is simulated on a CAN link"));
-    const auto options = simulation::UnitOptions::parse(unit);
-    if (!options)
-        return fail(options.error());
+    MB_TRY(const auto options, simulation::UnitOptions::parse(unit));
     auto &can = static_cast<CanLink &>(link);
-    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("dmc60c:" + std::to_string(options->number));
-    made->add(can, clock, *options);
-    if (findFault(options->faults, "duplicate"))
-        made->addBeside(can, clock, options->twin());
+    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("dmc60c:" + std::to_string(options.number));
+    made->add(can, clock, options);
+    if (findFault(options.faults, "duplicate"))
+        made->addBeside(can, clock, options.twin());
     return made;
 }
 

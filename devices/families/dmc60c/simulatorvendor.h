@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/noncopyable.h"
 #include "families/dmc60c/simulatormemory.h"
 
 #include <span>
@@ -11,11 +12,8 @@
 namespace mb::dmc60c::simulation {
 
 /// What vendor commands act on.
-class Board {
+class Board : NonCopyable {
 public:
-    Board() = default;
-    Board(const Board &) = delete;
-    Board &operator=(const Board &) = delete;
     virtual ~Board() = default;
 
     [[nodiscard]] virtual bool isInBootloader() const = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/dmc60c/pagewriter.h"
 #include "model/family.h"
 
@@ -8,11 +9,9 @@ namespace mb::dmc60c {
 
 /// One firmware update of one device: the state of README.md#updates, and a method per paragraph. A link that is lost meanwhile is
 /// waited for, `linkPatience` at a time; then the unit may have restarted, so that all pages are sent again (README.md#updates).
-class Updater {
+class Updater : NonCopyable {
 public:
     Updater(Device &device, const Application &application, Progress &progress);
-    Updater(const Updater &) = delete;
-    Updater &operator=(const Updater &) = delete;
 
     /// The whole story. Ends with a report whatever the device does; an error only when the link is lost.
     [[nodiscard]] Task<UpdateReport> run(UpdateOptions options);

@@ -167,8 +167,7 @@ Result<void> check(Command command, const VendorReply &reply)
 
 Result<DescriptorList> descriptorsIn(const VendorReply &reply)
 {
-    if (const auto good = check(Command::GetDescriptors, reply); !good)
-        return fail(good.error());
+    MB_TRY_VOID(check(Command::GetDescriptors, reply));
     if (auto list = decodeDescriptors(reply.data))
         return std::move(*list);
     return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));

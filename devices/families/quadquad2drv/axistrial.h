@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/quadquad2drv/borrowedsettings.h"
 #include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/gainfit.h"
@@ -11,7 +12,7 @@ namespace mb::quadquad2drv {
 
 /// Turns the motor of one axis to and fro, watches over it and records its track. However it ends, also by being destroyed in the
 /// middle, the motor is stopped and the axis has its gains, limits and history back. Engine thread; outlives its tasks.
-class AxisTrial {
+class AxisTrial : NonCopyable {
 public:
     enum class Loop { Velocity, Position };
     /// P, I, D.
@@ -25,8 +26,6 @@ public:
     };
 
     AxisTrial(Controller &board, SetPointStream &stream, const ExperimentOptions &options, Progress &progress);
-    AxisTrial(const AxisTrial &) = delete;
-    AxisTrial &operator=(const AxisTrial &) = delete;
     ~AxisTrial();
 
     /// Before the first run: no limit but that of the power, and a velocity estimate that is fast.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/event.h"
+#include "async/noncopyable.h"
 #include "async/task.h"
 #include "transport/seriallink.h"
 
@@ -12,11 +13,9 @@
 namespace mb::quadquad2drv {
 
 /// The bootloader's text (README.md#firmware): lines of whatever ending, blank ones left out, cut at 256 characters.
-class BootConsole {
+class BootConsole : NonCopyable {
 public:
     BootConsole(SerialLink &link, Clock &clock, std::string ending = "\r");
-    BootConsole(const BootConsole &) = delete;
-    BootConsole &operator=(const BootConsole &) = delete;
 
     /// Sends text and the ending of a line.
     Result<void> send(const std::string &text);

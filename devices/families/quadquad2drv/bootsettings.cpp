@@ -78,8 +78,7 @@ Result<BootSettings> BootSettings::take(LinkAddress &via)
             rest.emplace_back(key, value);
             continue;
         }
-        if (auto done = apply(taken, key, value); !done)
-            return fail(done.error());
+        MB_TRY_VOID(apply(taken, key, value));
     }
     via.options = std::move(rest);
     return taken;

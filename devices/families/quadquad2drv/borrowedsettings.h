@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/quadquad2drv/controller.h"
 
 namespace mb::quadquad2drv {
 
 /// Settings of an axis (0…3) that an experiment changes. They are in doubt while it does, so that a program that dies leaves them
 /// lost, to be written again; and given back however it ends, but not to a board that was reset meanwhile. Engine thread.
-class BorrowedSettings {
+class BorrowedSettings : NonCopyable {
 public:
     enum class Part { Input, Axis };
     /// The board outlives it. `history` is what the board has, for those who change that too.
     BorrowedSettings(Controller &board, int axis, Part part, std::optional<History> history = {});
-    BorrowedSettings(const BorrowedSettings &) = delete;
-    BorrowedSettings &operator=(const BorrowedSettings &) = delete;
     /// Gives back, whoever waits for it or not.
     ~BorrowedSettings();
 

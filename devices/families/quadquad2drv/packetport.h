@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/quadquad2drv/codec.h"
 #include "transport/spilink.h"
 
@@ -11,11 +12,9 @@ namespace mb::quadquad2drv {
 
 /// The conversation with one board (README.md#waiting-packets). Several ports may share a link: each hears every packet that comes, whoever
 /// clocked it out, so a stream packet between request and reply is never lost; requests take turns.
-class PacketPort {
+class PacketPort : NonCopyable {
 public:
     PacketPort(SpiLink &link, Clock &clock);
-    PacketPort(const PacketPort &) = delete;
-    PacketPort &operator=(const PacketPort &) = delete;
 
     /// Whether a request may still be sent, asked each time just before it is.
     using Gate = std::function<bool()>;

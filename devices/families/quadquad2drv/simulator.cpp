@@ -62,8 +62,7 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
-    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {"power-page"}, options); !taken)
-        return fail(taken.error());
+    MB_TRY_VOID(takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {"power-page"}, options));
     if ((options.jumper || options.inBootloader) && !options.boot)
         return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
@@ -84,10 +83,8 @@ public:
     {
         if (!options.boot)
             return {};
-        auto boot = simulation::Boot::open(*options.boot, clock, m_board, options);
-        if (!boot)
-            return fail(boot.error());
-        m_boot = std::move(*boot);
+        MB_TRY(auto boot, simulation::Boot::open(*options.boot, clock, m_board, options));
+        m_boot = std::move(boot);
         return {};
     }
 
@@ -134,14 +131,11 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     auto *slave = dynamic_cast<SpiSlaveLink *>(&link);
     if (!slave)
         return fail(Fault::OutOfRange, say("a QuadQuad2Drv is simulated on the board's end of an SPI link"));
-    const auto options = simulation::BoardOptions::parse(unit);
-    if (!options)
-        return fail(options.error());
-    if (!options->boot && findFault(options->faults, "power-page"))
+    MB_TRY(const auto options, simulation::BoardOptions::parse(unit));
+    if (!options.boot && findFault(options.faults, "power-page"))
         return fail(Fault::Unsupported, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
-    auto simulated = std::make_unique<SimulatedQuadQuad>(*slave, clock, *options);
-    if (auto opened = simulated->openBoot(clock, *options); !opened)
-        return fail(opened.error());
+    auto simulated = std::make_unique<SimulatedQuadQuad>(*slave, clock, options);
+    MB_TRY_VOID(simulated->openBoot(clock, options));
     return simulated;
 }
 

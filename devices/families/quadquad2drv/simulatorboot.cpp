@@ -44,25 +44,19 @@ Result<std::unique_ptr<Boot>> Boot::open(
     std::unique_ptr<PtyLine> terminal;
     std::unique_ptr<SerialLink> own;
     if (address.scheme == "pty") {
-        auto made = PtyLine::create(address, clock);
-        if (!made)
-            return fail(made.error());
-        terminal = std::move(*made);
-        if (auto opened = terminal->open(); !opened)
-            return fail(opened.error());
+        MB_TRY(auto made, PtyLine::create(address, clock));
+        terminal = std::move(made);
+        MB_TRY_VOID(terminal->open());
         own = terminal->makeEnd();
     } else {
-        auto made = createLink(address, clock);
-        if (!made)
-            return fail(made.error());
-        if ((*made)->kind() != LinkKind::Serial)
+        MB_TRY(auto made, createLink(address, clock));
+        if (made->kind() != LinkKind::Serial)
             return fail(Fault::OutOfRange, say("boot= names a serial link, such as pty:./boot"));
-        own.reset(static_cast<SerialLink *>(made->release()));
+        own.reset(static_cast<SerialLink *>(made.release()));
     }
     if (!own->fixedBaudrate())
         (void)own->setBaudrate(baudrate);
-    if (auto opened = own->open(); !opened)
-        return fail(opened.error());
+    MB_TRY_VOID(own->open());
     auto boot = std::make_unique<Boot>(*own, clock, board, options);
     boot->m_terminal = std::move(terminal);
     boot->m_own = std::move(own);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/quadquad2drv/simulatorboard.h"
 #include "transport/backends/ptyline.h"
 #include "transport/seriallink.h"
@@ -15,7 +16,7 @@ namespace mb::quadquad2drv::simulation {
 /// reset, until the first line comes. Every good line of
 /// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
 /// when the file was whole, all of its lines good; after a part of one there is no application to start.
-class Boot {
+class Boot : NonCopyable {
 public:
     /// `address`: pty:PATH or a serial link, 115200 baud. LinkLost or OutOfRange when it cannot be opened.
     [[nodiscard]] static Result<std::unique_ptr<Boot>> open(
@@ -23,8 +24,6 @@ public:
     /// On a link that is open and outlives this.
     Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &options);
 
-    Boot(const Boot &) = delete;
-    Boot &operator=(const Boot &) = delete;
     ~Boot() { m_board.setStartListener({}); }
 
     void setJumper(bool closed) { m_jumper = closed; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/firmware.h"
 
+#include "async/noncopyable.h"
 #include "families/supermodified/avrdude.h"
 #include "families/supermodified/controller.h"
 #include "firmware/programmer.h"
@@ -32,7 +33,7 @@ bool hasVectors(const FirmwareImage &image)
 
 /// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up, or the port cannot be
 /// opened yet: an adapter may be away for a moment.
-class PortLease {
+class PortLease : NonCopyable {
 public:
     PortLease(Controller &device, const std::string &port)
         : m_device(device)
@@ -43,8 +44,6 @@ public:
         if (m_shared)
             m_link.close();
     }
-    PortLease(const PortLease &) = delete;
-    PortLease &operator=(const PortLease &) = delete;
     ~PortLease()
     {
         if (m_ended)
@@ -154,8 +153,7 @@ Task<avrdude::Reading> program(Controller &device, avrdude::Job job, Progress &p
 
 Result<void> preflight(const Controller &device, const FirmwareImage &image, const avrdude::Job &job)
 {
-    if (auto summary = inspect(image); !summary)
-        return fail(summary.error());
+    MB_TRY_VOID(inspect(image));
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
         return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"),
             say("use a programmer on the pins"));

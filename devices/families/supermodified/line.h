@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/scope.h"
 #include "async/task.h"
 #include "families/supermodified/codec.h"
@@ -24,7 +25,7 @@ namespace mb::supermodified {
 /// before that goes out again after it.
 ///
 /// What is known of the nodes is in its roster, which outlives it.
-class Line final : public std::enable_shared_from_this<Line> {
+class Line final : public std::enable_shared_from_this<Line>, private NonCopyable {
 public:
     using Request = LineRequest;
     using Rank = LineRequest::Rank;
@@ -63,8 +64,6 @@ public:
 
     [[nodiscard]] static std::shared_ptr<Line> of(SerialLink &link, Clock &clock);
     Line(SerialLink &link, Clock &clock);
-    Line(const Line &) = delete;
-    Line &operator=(const Line &) = delete;
     ~Line() = default;
 
     [[nodiscard]] SerialLink &link() const { return m_link; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/supermodified/motioncount.h"
 #include "families/supermodified/motionstop.h"
 #include "families/supermodified/movebounds.h"
@@ -17,7 +18,7 @@ namespace mb::supermodified {
 /// A node has no set-point that must be kept alive, so an equal set-point sends nothing. Start zeroes the node's position
 /// (README.md#start); positions stay continuous here (count()). Start resets the encoder, which
 /// can hang a node that is started already (README.md#hang): where it is not known to be off, a stop goes first.
-class Motion {
+class Motion : NonCopyable {
 public:
     struct Events {
         std::function<void()> changed;                     ///< isEnergized(), isStopping(), failure()
@@ -28,8 +29,6 @@ public:
 
     /// They outlive it. The gate is told of the moves that the node keeps.
     Motion(Line &line, const Node &node, MotionGate &gate, Events events);
-    Motion(const Motion &) = delete;
-    Motion &operator=(const Motion &) = delete;
 
     /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;

@@ -35,15 +35,13 @@ Result<Line::Request> setting(const Node &node, Command command, std::int64_t va
 {
     if (!node.dialect)
         return fail(Fault::Unsupported, say("its dialect is not known yet"), say("read it first"));
-    const auto frame = request(node.id, 0, command, *node.dialect, value);
-    if (!frame)
-        return fail(frame.error());
+    MB_TRY(const auto frame, request(node.id, 0, command, *node.dialect, value));
     Line::Request ask;
-    ask.frame = *frame;
+    ask.frame = frame;
     ask.baudrate = node.baudrate;
-    const CommandForm *const message = messageOf(frame->command);
+    const CommandForm *const message = messageOf(frame.command);
     if (message != nullptr && message->stored)
-        ask.patience = storedAnswerTime + eepromByteTime * static_cast<int>(frame->size);
+        ask.patience = storedAnswerTime + eepromByteTime * static_cast<int>(frame.size);
     return ask;
 }
 

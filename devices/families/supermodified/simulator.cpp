@@ -11,13 +11,11 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     auto *const serial = dynamic_cast<SerialLink *>(&link);
     if (!serial)
         return fail(Fault::OutOfRange, say("a Supermodified is simulated on a serial link"));
-    const auto options = simulation::UnitOptions::parse(unit);
-    if (!options)
-        return fail(options.error());
-    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("supermodified:" + std::to_string(options->node));
-    made->add(*serial, clock, *options);
-    if (findFault(options->faults, "duplicate")) {
-        simulation::UnitOptions twin = *options;
+    MB_TRY(const auto options, simulation::UnitOptions::parse(unit));
+    auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("supermodified:" + std::to_string(options.node));
+    made->add(*serial, clock, options);
+    if (findFault(options.faults, "duplicate")) {
+        simulation::UnitOptions twin = options;
         twin.seed ^= 0x5DEECE66DULL;
         made->add(*serial, clock, twin);
     }

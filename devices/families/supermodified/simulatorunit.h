@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/supermodified/simulatorfirmware.h"
 #include "families/supermodified/simulatoroptions.h"
 #include "simulation/faultplan.h"
@@ -12,13 +13,11 @@
 namespace mb::supermodified::simulation {
 
 /// Firmware and motor on a wire and a supply, with faults on demand.
-class Unit {
+class Unit : NonCopyable {
 public:
     using Notify = std::function<void(Instant, std::string_view what, double value)>;
 
     Unit(SerialLink &link, Clock &clock, const UnitOptions &options, Notify notify);
-    Unit(const Unit &) = delete;
-    Unit &operator=(const Unit &) = delete;
 
     [[nodiscard]] bool isOutputOn() { return drive().isOn(); }
     [[nodiscard]] double speed() { return drive().encoder().shaftSpeed(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "families/supermodified/node.h"
 #include "families/supermodified/velocityestimate.h"
 #include "telemetry/framerate.h"
@@ -13,7 +14,7 @@ namespace mb::supermodified {
 /// The questions whose answers become the telemetry of one node. Each channel is asked for at its own rate: slowly by itself,
 /// faster while the motor is driven, and as fast as somebody wishes (a page that shows it, `watch --rate`); the line shares
 /// itself out where all of it is too much. A silent node is asked for its position only, twice a second.
-class TelemetryPolls {
+class TelemetryPolls : NonCopyable {
 public:
     struct Events {
         std::function<void(const Result<Frame> &)> answered; ///< every answer, error frames and time-outs too
@@ -22,8 +23,6 @@ public:
     };
 
     TelemetryPolls(Line &line, const Node &node, Telemetry &telemetry, Events events);
-    TelemetryPolls(const TelemetryPolls &) = delete;
-    TelemetryPolls &operator=(const TelemetryPolls &) = delete;
     ~TelemetryPolls();
 
     /// Samples per second wished for; 0: as by itself. False for a channel that does not come from the node.

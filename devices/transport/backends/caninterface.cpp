@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/caninterface.h"
 
+#include "async/noncopyable.h"
 #include "transport/backends/netlink.h"
 
 #include <array>
@@ -141,7 +142,7 @@ std::optional<CanInterface> canInterfaceFrom(Bytes message)
 namespace {
 
 /// A conversation with the kernel about its interfaces.
-class Question {
+class Question : NonCopyable {
 public:
     Question()
         : m_descriptor(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE))
@@ -149,8 +150,6 @@ public:
         const timeval patience{1, 0};
         ::setsockopt(m_descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     }
-    Question(const Question &) = delete;
-    Question &operator=(const Question &) = delete;
     ~Question()
     {
         if (m_descriptor >= 0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "async/result.h"
 
 #include <functional>
@@ -25,11 +26,9 @@ struct GpioLineListing {
 [[nodiscard]] std::vector<GpioLineListing> gpioLines();
 
 /// One GPIO line, named CHIP:LINE as in `gpiochip0:25`, through libgpiod 1.6. Compile-tested only: no machine of ours has one.
-class GpioLine {
+class GpioLine : NonCopyable {
 public:
     GpioLine();
-    GpioLine(const GpioLine &) = delete;
-    GpioLine &operator=(const GpioLine &) = delete;
     ~GpioLine();
 
     /// `changed` hears every edge, from the event loop of this thread.

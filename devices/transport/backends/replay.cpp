@@ -47,10 +47,8 @@ Result<std::unique_ptr<ReplayLink>> ReplayLink::create(const LinkAddress &addres
     std::string interface;
     for (const auto &[key, value] : address.options) {
         if (key == "speed") {
-            const auto parsed = parsePace(value);
-            if (!parsed)
-                return fail(parsed.error());
-            pace = *parsed;
+            MB_TRY(const auto parsed, parsePace(value));
+            pace = parsed;
         } else if (key == "interface") {
             interface = value;
         } else {
@@ -63,10 +61,8 @@ Result<std::unique_ptr<ReplayLink>> ReplayLink::create(const LinkAddress &addres
 
 Result<void> ReplayLink::doOpen()
 {
-    auto file = RecordingFile::open(address().path, m_interface);
-    if (!file)
-        return fail(file.error());
-    take(std::move(*file));
+    MB_TRY(auto file, RecordingFile::open(address().path, m_interface));
+    take(std::move(file));
     return {};
 }
 

@@ -174,10 +174,8 @@ void SerialPortLink::take(Opened opened)
 
 Result<void> SerialPortLink::doOpen()
 {
-    auto opened = openPort(order());
-    if (!opened)
-        return fail(opened.error());
-    take(std::move(*opened));
+    MB_TRY(auto opened, openPort(order()));
+    take(std::move(opened));
     return {};
 }
 

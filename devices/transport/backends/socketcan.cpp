@@ -105,11 +105,9 @@ Result<void> SocketCanLink::doOpen()
         take(given, prepareCanSocket(given));
         return {};
     }
-    const auto opened = openCanSocket(address().path);
-    if (!opened)
-        return fail(opened.error());
-    adopt(opened->interface);
-    take(opened->descriptor, opened->receiveBuffer);
+    MB_TRY(const auto opened, openCanSocket(address().path));
+    adopt(opened.interface);
+    take(opened.descriptor, opened.receiveBuffer);
     return {};
 }
 
@@ -127,11 +125,9 @@ Task<void> SocketCanLink::doOpenSoon(Background &background)
     auto opening = inBackground<std::shared_ptr<Opened>>(
         background, clock(), laneOf(path), openLimit,
         [path]() -> Result<std::shared_ptr<Opened>> {
-            const auto opened = openCanSocket(path);
-            if (!opened)
-                return fail(opened.error());
+            MB_TRY(const auto opened, openCanSocket(path));
             return std::shared_ptr<Opened>(
-                new Opened{opened->interface, opened->receiveBuffer, Descriptor(opened->descriptor)});
+                new Opened{opened.interface, opened.receiveBuffer, Descriptor(opened.descriptor)});
         },
         WhenLate::Drop);
     const Result<std::shared_ptr<Opened>> opened = co_await std::move(opening).attempt();

@@ -51,10 +51,8 @@ UnixSpiLink::~UnixSpiLink()
 
 Result<void> UnixSpiLink::doOpen()
 {
-    auto connected = connectUnixSocket(address().path);
-    if (!connected)
-        return fail(connected.error());
-    m_descriptor = *connected;
+    MB_TRY(auto connected, connectUnixSocket(address().path));
+    m_descriptor = connected;
     m_isServed = false;
     {
         const std::lock_guard lock(m_wire->mutex);

@@ -56,10 +56,8 @@ UnixSpiServer::~UnixSpiServer()
 
 Result<void> UnixSpiServer::doOpen()
 {
-    auto listening = listenOnUnixSocket(address().path);
-    if (!listening)
-        return fail(listening.error());
-    m_listening = *listening;
+    MB_TRY(auto listening, listenOnUnixSocket(address().path));
+    m_listening = listening;
     m_calls = std::make_unique<QSocketNotifier>(m_listening, QSocketNotifier::Read);
     QObject::connect(m_calls.get(), &QSocketNotifier::activated, m_calls.get(), [this] { accept(); });
     return {};

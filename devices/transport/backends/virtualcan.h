@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "transport/canlink.h"
 
 #include <deque>
@@ -16,11 +17,9 @@ class VirtualCanLink;
 /// that start the same identifier with different content destroy both frames: an error is counted at every controller,
 /// and both try again after a short seeded delay. Frames are stamped with the end of the frame, delivered from the
 /// clock queue.
-class VirtualCanBus {
+class VirtualCanBus : NonCopyable {
 public:
     VirtualCanBus(Clock &clock, int bitrate, std::uint64_t seed);
-    VirtualCanBus(const VirtualCanBus &) = delete;
-    VirtualCanBus &operator=(const VirtualCanBus &) = delete;
 
     [[nodiscard]] int bitrate() const { return m_bitrate; }
     [[nodiscard]] Clock &clock() const { return m_clock; }

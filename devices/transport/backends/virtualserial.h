@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/noncopyable.h"
 #include "transport/seriallink.h"
 #include "transport/serialqueue.h"
 
@@ -19,13 +20,11 @@ class VirtualSerialLink;
 /// A receiver at another rate gets what its UART would sample (wire/uart.h), at the end of the piece. On a half-duplex
 /// line everybody hears everybody else, and bytes that overlap in time reach nobody intact. On a full-duplex line every
 /// end has a wire of its own, and nothing collides.
-class VirtualSerialLine {
+class VirtualSerialLine : NonCopyable {
 public:
     enum class Wiring { HalfDuplex, FullDuplex };
 
     VirtualSerialLine(Clock &clock, Wiring wiring, std::uint64_t seed);
-    VirtualSerialLine(const VirtualSerialLine &) = delete;
-    VirtualSerialLine &operator=(const VirtualSerialLine &) = delete;
 
     [[nodiscard]] Clock &clock() const { return m_clock; }
     /// This fraction of pieces is heard by nobody, 0…1.
