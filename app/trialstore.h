@@ -251,6 +251,10 @@ public:
     {
         return ask(&SettingsBook::changesOf, std::move(unit));
     }
+    Task<void> moved(std::string from, std::string to) override
+    {
+        return ask(&SettingsBook::moved, std::move(from), std::move(to));
+    }
 };
 
 } // namespace mb

@@ -74,6 +74,7 @@ Result<FlashPlan> check(const Console &console, const FlashArguments &arguments)
         if (auto summary = family.inspect(*parsed); !summary)
             return fail(summary.error().about(arguments.file));
     }
+    target.mayBeSilent = true; // it may hold half a program
     return FlashPlan{std::move(target), std::move(*parsed)};
 }
 
@@ -209,6 +210,9 @@ Task<int> flash(Console &console, FlashArguments arguments)
 {
     const auto plan = co_await check(console, arguments);
     Device *const device = co_await connect(console, plan.target);
+    const Identity &identity = device->identity();
+    if (identity.state == DeviceState::Bootloader && !plan.target.family->routes.empty())
+        console.note(device->selector() + ": " + identity.detail.english());
     auto standing = standsStill(*device);
     co_await std::move(standing);
     if (!arguments.options.dryRun) {

@@ -55,6 +55,11 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
     if (name.size() > longestName)
         co_return fail(Fault::Usage, say("--name: a name has at most %1 bytes", longestName));
     co_await checkName("a name", name);
+    bool isNumber = false;
+    (void)qt(name).toLongLong(&isNumber);
+    if (isNumber)
+        co_return fail(
+            Fault::Usage, say("--name: %1 would be taken for the number of a snapshot", name), say("add a word to it"));
     Notebook notebook(console);
     if (notebook.trouble())
         co_return fail(*notebook.trouble());

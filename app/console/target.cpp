@@ -114,13 +114,13 @@ Task<void> noteReset(Console &console, Device &device)
 namespace {
 
 /// As long as --timeout says.
-Task<Device *> find(const Console &console, Session &session, DeviceSelector selector)
+Task<Device *> find(const Console &console, Session &session, const Target &target)
 {
     const std::optional<Duration> limit = console.options().patience.timeout;
     Error late{Fault::Timeout,
-        say("no answer from %1 %2 within %3 s", selector.family, selector.address,
+        say("no answer from %1 %2 within %3 s", target.selector.family, target.selector.address,
             secondsOf(limit.value_or(Duration::zero())))};
-    return within(session.clock(), session.connect(std::move(selector)), limit, std::move(late));
+    return within(session.clock(), session.connect(target.selector, target.mayBeSilent), limit, std::move(late));
 }
 
 } // namespace
@@ -134,7 +134,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
 {
     Result<Device *> device;
     for (int tries = 0; tries <= console.options().patience.retries; ++tries) {
-        device = co_await find(console, session, target.selector).attempt();
+        device = co_await find(console, session, target).attempt();
         if (device || device.error().fault != Fault::Timeout)
             break;
         if (console.isInterrupted()) // a verb that listens is not cut, but need not go on looking

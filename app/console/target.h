@@ -16,6 +16,7 @@ namespace mb::console {
 struct Target {
     DeviceSelector selector;
     const Family *family = nullptr;
+    bool mayBeSilent = false; ///< Session::connect
 };
 
 /// OutOfRange: not a selector, an unknown family, an address that none of it has, or one that is not found on this kind of link.

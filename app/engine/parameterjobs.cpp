@@ -8,6 +8,7 @@
 #include "settings/storing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -124,9 +125,11 @@ Task<void> ParameterJobs::keepBefore(Device &device, settings::Occasion occasion
 }
 
 Task<Outcomes> ParameterJobs::writeWhole(
-    Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress) const
+    Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress)
 {
     const bool restores = purpose == settings::Purpose::Restore;
+    if (restores)
+        co_await askWhose(device);
     if (restores || changes.size() > manyValues) {
         auto keeping
             = keepBefore(device, restores ? settings::Occasion::Restore : settings::Occasion::Import, progress);
@@ -137,6 +140,22 @@ Task<Outcomes> ParameterJobs::writeWhole(
     auto writing
         = settings::writeKept(device, std::move(changes), {settings::Origin::Window, purpose}, m_settings, progress);
     co_return co_await std::move(writing).attempt();
+}
+
+/// What is kept of a place may be of another unit than the one that stands there now. Whoever orders it once more says that it is the same.
+Task<void> ParameterJobs::askWhose(Device &device)
+{
+    if (!m_settings)
+        co_return {};
+    const std::vector<settings::SettingsChange> changes = co_await m_settings->changesOf(unitKeyOf(device));
+    const std::string unit = changes.empty() ? unitKeyOf(device) : changes.back().unit;
+    Consent &consent = m_consents[m_context.session.idOf(device)];
+    if (unitByOf(unit) != UnitBy::Place || std::exchange(consent.holds, true))
+        co_return {};
+    consent.hearing
+        = device.changed().add([&consent, &device] { consent.holds = consent.holds && device.liveness().heard; });
+    co_return fail(Fault::Unsafe, say("this place, not this unit: what is kept may be of another"),
+        say("do it once more if it is the same"));
 }
 
 void ParameterJobs::carryOut(const orders::WriteParameters &order, const Finished &finished)
@@ -186,6 +205,14 @@ Result<void> ParameterJobs::tellWritten(
     return result;
 }
 
+Task<settings::SettingsChange> ParameterJobs::takeBack(Device &device, bool again, Progress &progress)
+{
+    co_await askWhose(device);
+    auto writing = again ? settings::redo(device, settings::Origin::Window, *m_settings, progress)
+                         : settings::undo(device, settings::Origin::Window, *m_settings, progress);
+    co_return co_await std::move(writing).attempt();
+}
+
 void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &finished)
 {
     if (!m_settings)
@@ -194,10 +221,7 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
         return finished(same);
     m_context.operations.begin<settings::SettingsChange>(
         order.device, order.again ? say("Do a write again") : say("Undo a write"),
-        [this, again = order.again](Device &device, Progress &progress) {
-            return again ? settings::redo(device, settings::Origin::Window, *m_settings, progress)
-                         : settings::undo(device, settings::Origin::Window, *m_settings, progress);
-        },
+        [this, again = order.again](Device &device, Progress &progress) { return takeBack(device, again, progress); },
         [this, again = order.again, finished](Operations::Job &job, const Result<settings::SettingsChange> &change) {
             m_provisional.look(job.device, true);
             if (const Device *device = m_context.session.find(job.device); device && change)

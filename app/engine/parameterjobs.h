@@ -7,9 +7,12 @@
 #include "widgets/orders/parameterorders.h"
 #include "widgets/orders/settingsorders.h"
 
+#include <map>
+
 namespace mb {
 
-/// Reading, writing and storing parameters, and taking back what was written. Engine thread.
+/// Reading, writing and storing parameters, and taking back what was written. What is kept of a place, not of a unit, is put back by
+/// the second such order while the unit is heard; the first is Unsafe. Engine thread.
 class ParameterJobs {
 public:
     ParameterJobs(const EngineContext &context, ProvisionalChanges &provisional)
@@ -39,13 +42,21 @@ private:
     void write(
         DeviceId device, std::vector<ParameterChange> changes, settings::Purpose purpose, const Finished &finished);
     [[nodiscard]] Task<std::vector<TransferOutcome>> writeWhole(
-        Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress) const;
+        Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress);
+    [[nodiscard]] Task<settings::SettingsChange> takeBack(Device &device, bool again, Progress &progress);
+    [[nodiscard]] Task<void> askWhose(Device &device);
     [[nodiscard]] Result<void> tellWritten(DeviceId device, const std::vector<ParameterStore::Entry> &before,
         const Result<std::vector<TransferOutcome>> &outcomes) const;
 
     EngineContext m_context;
     ProvisionalChanges &m_provisional;
     settings::SettingsLog *m_settings = nullptr;
+    /// That the unit in a place is the one which what is kept there is of, as long as it is heard.
+    struct Consent {
+        bool holds = false;
+        Subscription hearing;
+    };
+    std::map<DeviceId, Consent> m_consents;
 };
 
 } // namespace mb

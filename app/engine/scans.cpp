@@ -90,10 +90,10 @@ void Scans::probeSilent(Link &link)
     if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
         return;
     for (const Family *family : m_context.session.families()) {
-        if (!family->probe || std::ranges::find(family->links, LinkKind::Spi) == family->links.end())
+        if (std::ranges::find(family->links, LinkKind::Spi) == family->links.end())
             continue;
         m_rounds[&link].task->spawn<Device *>(
-            m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
+            m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}, true),
             [](const Result<Device *> &) {});
     }
 }

@@ -35,9 +35,10 @@ Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command
     co_await program.start(command);
     for (;;) {
         const auto piece = co_await program.next(programPatience);
+        if (!piece && piece.error().fault == Fault::Timeout)
+            co_return fail(Fault::Timeout, say("%1 said nothing for a minute and was ended", command.program), remedy);
         if (!piece)
-            co_return fail(
-                piece.error().fault, say("%1 said nothing for a minute and was ended", command.program), remedy);
+            co_return fail(piece.error());
         if (!*piece)
             break;
         take(**piece);

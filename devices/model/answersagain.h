@@ -9,7 +9,8 @@
 
 namespace mb {
 
-/// Whether a device that restarts answers again: asked every 500 ms, ten times. LinkLost. Engine thread.
+/// Whether a device that restarts answers again: asked every 500 ms, ten times. One that did not answer before
+/// (DeviceState::Bootloader) is looked for as a scan does, and identified by that. LinkLost. Engine thread.
 [[nodiscard]] Task<bool> answersAgain(Device &device);
 
 /// Asks a device while a programmer holds its processor, which answers nothing then: whoever does is another unit than the one that

@@ -106,7 +106,23 @@ Error nobody(const DeviceSelector &selector, bool inRecording)
 
 } // namespace
 
-Task<Device *> Session::connect(DeviceSelector selector)
+/// nullptr where only the bus leads to it.
+Device *Session::adoptSilent(Link &link, const DeviceSelector &selector)
+{
+    const auto family = std::ranges::find(m_families, selector.family, [](const Family *f) { return f->key; });
+    if (family == m_families.end() || (*family)->routes.empty() || selector.session
+        || std::ranges::find((*family)->links, link.kind()) == (*family)->links.end())
+        return nullptr;
+    Identity silent;
+    silent.family = selector.family;
+    silent.address = selector.address;
+    silent.state = DeviceState::Bootloader;
+    silent.detail = say("nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or "
+                        "reset it without the jumper of its bootloader");
+    return &m_devices.adopt(link, **family, silent, {});
+}
+
+Task<Device *> Session::connect(DeviceSelector selector, bool mayBeSilent)
 {
     Link *const link = co_await openLinkSoon(selector.link);
     ReplayLink *const recording = replayOf(*link);
@@ -127,6 +143,8 @@ Task<Device *> Session::connect(DeviceSelector selector)
         co_return fail(Fault::Timeout, say("number %1 has another session", selector.address),
             others.size() == 1 ? say("it is %1", others[0]->selector())
                                : say("name one: %1 or %2", others[0]->selector(), others[1]->selector()));
+    if (Device *const silent = fitting.empty() && mayBeSilent && !recording ? adoptSilent(*link, selector) : nullptr)
+        co_return silent;
     if (fitting.empty())
         co_return fail(nobody(selector, recording));
     if (fitting.size() > 1)

@@ -20,6 +20,15 @@ std::string linkOf(const Visit &visit)
     return visit.device.substr(0, visit.device.rfind('/'));
 }
 
+/// Who answers as its unit does is the one of this visit. Who stands in a place may be another than the one that has ended there, or
+/// that was given its number there; one that was cut off before that goes on.
+bool goesOnHere(const Visit &visit)
+{
+    const auto isGiven = [](const StepEntry &entry) { return entry.step == Step::Number && entry.ended; };
+    return unitByOf(visit.unit) != UnitBy::Place
+        || (visit.outcome == Outcome::Open && std::ranges::none_of(visit.steps, isGiven));
+}
+
 } // namespace
 
 BusRows::BusRows(Session &session, Link &link, Wanted wanted, std::uint32_t &lastRow)
@@ -143,16 +152,14 @@ void BusRows::addRow(Device &device, const std::string &unit)
     shown.state = m_wanted.onlyChosen ? RowState::Skipped : RowState::Waiting;
 }
 
-/// What the run that is resumed knows of those that are here: done, or cut off. Who stands in a place may be another than the one
-/// that has ended there; one that was cut off there goes on.
+/// What the run that is resumed knows of those that are here: done, or cut off.
 void BusRows::recall(const std::vector<Device *> &found)
 {
     for (const Visit &visit : m_wanted.earlier) {
-        const bool isPlace = unitByOf(visit.unit) == UnitBy::Place;
         const auto moved = std::ranges::find_if(found, [&](const Device *device) { return isMoved(visit, *device); });
         const DeviceId id = moved == found.end() ? DeviceId{} : m_session.idOf(**moved);
         for (Row &row : m_rows) {
-            const bool here = row.shown->visit.unit == visit.unit && (!isPlace || visit.outcome == Outcome::Open);
+            const bool here = row.shown->visit.unit == visit.unit && goesOnHere(visit);
             if (moved == found.end() ? !here : row.shown->device != id)
                 continue;
             row.moved = moved != found.end();
@@ -175,7 +182,7 @@ void BusRows::addMissing()
 {
     for (const Visit &visit : m_wanted.earlier) {
         const bool known = std::ranges::any_of(m_rows, [&visit](const Row &row) {
-            return row.shown->visit.id == visit.id || row.shown->visit.unit == visit.unit;
+            return row.shown->visit.id == visit.id || (row.shown->visit.unit == visit.unit && goesOnHere(visit));
         });
         if (known || visit.outcome != Outcome::Open || linkOf(visit) != m_link.address().text())
             continue;

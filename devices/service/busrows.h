@@ -38,6 +38,8 @@ public:
 
     /// What a scan of the link has found; `serving` stays whatever it was.
     void take(const std::vector<Device *> &found, const Row *serving);
+    /// One of them; also without a look.
+    void notice(Device &device);
     /// It was served: what was not heard meanwhile was its own doing.
     void served(Row &row);
     /// Somebody is heard where one was gone, since the last call; a look tells who.
@@ -55,7 +57,6 @@ public:
     [[nodiscard]] bool hasTwin(const Row &row) const;
 
 private:
-    void notice(Device &device);
     [[nodiscard]] Row *rowOf(const Device &device, const std::string &unit);
     void addRow(Device &device, const std::string &unit);
     void follow(Row &row, Device &device);

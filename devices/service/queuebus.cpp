@@ -138,6 +138,18 @@ Task<void> QueueBus::look()
     co_return {};
 }
 
+/// One that holds half a program is mute on its bus: where firmware takes another way in it goes on all the same.
+Task<void> QueueBus::reachSilent(Visit visit)
+{
+    const auto &firmware = m_run.matter().recipe.firmware;
+    if (visit.step != Step::Firmware || !firmware || firmware->via.empty())
+        co_return {};
+    const DeviceSelector selector = co_await DeviceSelector::parse(visit.device);
+    Device *const device = co_await m_session.connect(selector, true);
+    m_rows.notice(*device);
+    co_return {};
+}
+
 /// Nobody waits for ever for a unit that the cut has left dead: it has failed, and says where.
 Task<void> QueueBus::giveUpMissing()
 {
@@ -146,6 +158,9 @@ Task<void> QueueBus::giveUpMissing()
         if (!row.isMissed() || row.seen || now - row.absentAt.value_or(now) < missedAfter)
             continue;
         Visit visit = row.shown->visit;
+        (void)co_await reachSilent(visit).attempt();
+        if (!row.isMissed())
+            continue;
         visit.outcome = Outcome::Failed;
         visit.cause = say("it was cut off at '%1' and does not answer any more", Message::label(toString(visit.step)));
         visit.remedy = say("look at cable and supply; when it answers again it is served from the beginning");

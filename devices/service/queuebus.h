@@ -47,6 +47,7 @@ private:
     [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
     [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);
     [[nodiscard]] Task<void> refuse(Row &row, const Device &device, Error error);
+    [[nodiscard]] Task<void> reachSilent(Visit visit);
     [[nodiscard]] Task<void> giveUpMissing();
     void ended(Row &row, const Visit &visit);
     void leftOut(Row &row, const Error &why);

@@ -280,15 +280,21 @@ Task<Message> UnitRun::setParameters()
     co_return say("%1 of %2 written", changes.size(), settingsText(count));
 }
 
+/// Of who stands still anyway nothing is judged: its visit stays open.
+Result<void> UnitRun::goesOn(Message whatStops) const
+{
+    const tuning::Interruption *const stop = m_around.experiments.interruption;
+    return stop && stop->isRequested() ? fail(Fault::Cancelled, std::move(whatStops)) : Result<void>();
+}
+
 /// Announced each time, before the motor turns.
 Task<TestFinding> UnitRun::testOnce()
 {
     const SelfTest &wanted = *m_around.matter.recipe.test;
-    tuning::Interruption *const stop = m_around.experiments.interruption;
+    co_await goesOn(say("stopped before its motor turned"));
     co_await m_around.permit->beforeMotion(m_device, wanted, m_progress);
-    if (stop && stop->isRequested())
-        co_return fail(Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe"));
-    const PermittedMotion turning(*m_around.permit, stop);
+    co_await goesOn(say("stopped before its motor turned"));
+    const PermittedMotion turning(*m_around.permit, m_around.experiments.interruption);
     co_return co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments);
 }
 
@@ -344,8 +350,7 @@ Task<int> UnitRun::reserve()
         }
         if (number.error().fault != Fault::Timeout)
             co_return fail(number.error());
-        if (m_around.experiments.interruption && m_around.experiments.interruption->isRequested())
-            co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
+        co_await goesOn(say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);
         hasWaited = true;
         co_await standBy();
@@ -382,7 +387,8 @@ Task<Message> UnitRun::giveNumber()
     const int old = m_device.identity().address;
     m_progress.step(say("Giving it number %1", *m_visit.number), 0, 0);
     if (old != *m_visit.number)
-        co_await m_device.renumber(*m_visit.number);
+        co_await settings::renumberKept(
+            m_device, *m_visit.number, settings::Origin::Recipe, m_around.settings, m_progress);
     co_return old == *m_visit.number ? say("number %1, as before", *m_visit.number) : say("number %1", *m_visit.number);
 }
 

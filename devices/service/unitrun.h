@@ -41,6 +41,7 @@ private:
 
     [[nodiscard]] Task<void> meet();
     [[nodiscard]] Task<UpdateReport> runUpdate();
+    [[nodiscard]] Result<void> goesOn(Message whatStops) const;
     [[nodiscard]] Task<TestFinding> testOnce();
     [[nodiscard]] Task<int> reserve();
     [[nodiscard]] Task<void> standBy();

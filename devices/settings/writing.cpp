@@ -225,6 +225,7 @@ Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress 
 Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress)
 {
     SettingsChange change = changeOf(device, {origin});
+    const std::string unit = change.unit;
     change.values.push_back({std::string(numberKey), device.identity().address, number, Proof::Open});
     const std::optional<std::int64_t> kept = co_await beginKept(log, change, progress);
     const Result<void> renumbered = co_await device.renumber(number).attempt();
@@ -235,6 +236,13 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     co_await completeKept(log, kept, std::move(change.values), progress);
     if (!renumbered)
         co_return fail(renumbered.error());
+    if (log && unitByOf(unit) == UnitBy::Place) {
+        Identity there = device.identity();
+        there.address = number;
+        const std::string place = unitKeyOf(there, device.link().line(), device.link().address().isSimulated());
+        if (const auto moved = co_await log->moved(unit, place).attempt(); !moved)
+            notKept(progress, moved.error());
+    }
     co_return {};
 }
 
@@ -264,7 +272,10 @@ Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progr
 
 Task<int> noticeForeign(const Device &device, SettingsLog &log)
 {
-    const HistoryView history = co_await historyOf(device, log);
+    const std::vector<SettingsChange> changes = co_await log.changesOf(unitKeyOf(device));
+    if (changes.empty() || unitByOf(changes.back().unit) == UnitBy::Place)
+        co_return 0; // another unit may stand there now, and it was never left as anything
+    const HistoryView history = viewOf(device.family(), changes);
     std::vector<ValueChange> values;
     for (const auto &[key, raw] : history.values) {
         const auto index = findParameter(device.family().parameters, key);

@@ -30,8 +30,8 @@ using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
 /// mb::rewriteSettings() that is in the history; yields how many values were written again.
 [[nodiscard]] Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress);
 
-/// Device::renumber() that is in the history, of the unit as it was called before. Not undone by undo(): others may have its old
-/// number by now.
+/// Device::renumber() that is in the history, of the unit as it was called before; its tag goes with it. Not undone by undo():
+/// others may have its old number by now.
 [[nodiscard]] Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress);
 
 /// Writes what was there before the last change that can be undone, and reads it back: a change of its own. Refused where there
@@ -42,7 +42,7 @@ using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
 [[nodiscard]] Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress);
 
 /// What is known of the device by now, against the history: parameters that are not what they were left as go into it as
-/// changed elsewhere. Yields how many. Nothing is asked of the device.
+/// changed elsewhere. Yields how many; none of a unit that only its place tells. Nothing is asked of the device.
 [[nodiscard]] Task<int> noticeForeign(const Device &device, SettingsLog &log);
 
 } // namespace mb::settings

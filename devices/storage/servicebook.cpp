@@ -8,6 +8,8 @@
 #include <QSqlQuery>
 #include <QUuid>
 
+#include <algorithm>
+
 namespace mb {
 
 using service::NumberWish;
@@ -46,10 +48,15 @@ Result<Visit> ServiceBook::put(Visit visit, bool isNew)
     return visit;
 }
 
+/// A clock that is set back does not change the order of a run.
 Task<Visit> ServiceBook::open(Visit visit)
 {
     visit.id = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
     visit.time = now();
+    const auto read = m_database.run("SELECT max(time) FROM service_visit WHERE run = ?", {qt(visit.run)},
+        [&visit](const QSqlQuery &row) { visit.time = std::max(visit.time, row.value(0).toDouble() + 1e-3); });
+    if (!read)
+        co_return fail(read.error());
     visit.person = m_person;
     visit.station = visit.station.empty() ? m_station : visit.station;
     co_return put(std::move(visit), true);

@@ -119,6 +119,18 @@ Result<void> SettingsBook::moveDebts(const std::string &before, const std::strin
     return m_database.run("UPDATE OR IGNORE owed SET unit = ? WHERE unit = ?", {qt(after), qt(before)});
 }
 
+Task<void> SettingsBook::moved(std::string from, std::string to)
+{
+    if (from == to)
+        co_return {};
+    co_return m_database.transact([&]() -> Result<void> {
+        const std::string before = resolved(from);
+        MB_TRY_VOID(m_database.run("DELETE FROM tag WHERE place = ?", {qt(to)}));
+        MB_TRY_VOID(m_database.run("UPDATE tag SET place = ? WHERE place = ?", {qt(to), qt(from)}));
+        return moveDebts(before, resolved(to));
+    });
+}
+
 Task<ParameterSnapshot> SettingsBook::keep(ParameterSnapshot snapshot)
 {
     snapshot.time = now();

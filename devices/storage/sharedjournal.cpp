@@ -7,6 +7,8 @@
 #include <QSqlQuery>
 #include <QUuid>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -15,7 +17,7 @@ using namespace std::chrono_literals;
 constexpr auto lane = "journal-server";
 constexpr Duration serverLimit = 12s; ///< of a call, whatever hangs
 constexpr Duration againAfter = 5s;
-constexpr int batchSize = 50;
+constexpr int mostAtOnce = 10;
 
 } // namespace
 
@@ -27,6 +29,7 @@ SharedJournal::SharedJournal(ServiceBook &book, JournalServer server, Clock &clo
     , m_server(std::move(server))
     , m_clock(clock)
     , m_background(background)
+    , m_batchSize(mostAtOnce)
     , m_again(clock)
     , m_scope(clock)
 {
@@ -62,10 +65,12 @@ void SharedJournal::deliverSoon()
         m_isDelivering = false;
         m_trouble = delivered ? Error{} : delivered.error();
         m_changed.notify();
-        if (!delivered)
+        if (!delivered) {
+            m_batchSize = std::max(1, m_batchSize / 2); // a slow line has not carried so many in time
             m_again.startIn(againAfter, [this] { deliverSoon(); });
-        else if (m_isBehind)
+        } else if (m_isBehind) {
             deliverSoon();
+        }
     });
 }
 
@@ -73,11 +78,12 @@ Task<void> SharedJournal::deliver()
 {
     for (;;) {
         m_isBehind = false;
-        const auto batch = co_await undelivered(m_book.database(), m_server.url(), batchSize);
+        const auto batch = co_await undelivered(m_book.database(), m_server.url(), m_batchSize);
         if (batch.empty())
             co_return {};
         co_await deliverBatch(batch);
         co_await markDelivered(m_book.database(), m_server.url(), batch);
+        m_batchSize = std::min(2 * m_batchSize, mostAtOnce);
         m_changed.notify();
     }
 }

@@ -52,6 +52,7 @@ private:
     Clock &m_clock;
     Background *m_background;
     Error m_trouble;
+    int m_batchSize;
     bool m_isDelivering = false;
     bool m_isBehind = false; ///< something was written while it delivered
     Listeners<> m_changed;

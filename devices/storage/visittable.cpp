@@ -88,19 +88,22 @@ KeptVisit visitFrom(const QSqlQuery &row)
     return kept;
 }
 
+/// In one statement: a server takes its time for each.
 Result<void> putSteps(SqlConnection &sql, const Visit &visit)
 {
-    int place = 0;
+    QVariantList values;
+    std::string rows;
     for (const StepEntry &entry : visit.steps) {
-        auto put
-            = sql.run("INSERT INTO service_step (visit, place, step, time, ended, detail) VALUES (?, ?, ?, ?, ?, ?) "
-                      "ON CONFLICT (visit, place) DO NOTHING",
-                {qt(visit.id), place++, qt(toString(entry.step)), entry.time, entry.ended ? 1 : 0,
-                    savedText(entry.detail)});
-        if (!put)
-            return put;
+        rows += rows.empty() ? "(?, ?, ?, ?, ?, ?)" : ", (?, ?, ?, ?, ?, ?)";
+        values << qt(visit.id) << values.size() / 6 << qt(toString(entry.step)) << entry.time << (entry.ended ? 1 : 0)
+               << savedText(entry.detail);
     }
-    return {};
+    if (rows.empty())
+        return {};
+    return sql.run(("INSERT INTO service_step (visit, place, step, time, ended, detail) VALUES " + rows
+                       + " ON CONFLICT (visit, place) DO NOTHING")
+                       .c_str(),
+        values);
 }
 
 /// All but the id are taken from what is put.

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <QStringList>
 
+#include <csignal>
 #include <utility>
 
 #include <unistd.h>
@@ -20,10 +21,15 @@ std::string clean(const std::string &bytes)
     return QString::fromUtf8(bytes.data(), static_cast<int>(bytes.size())).toStdString();
 }
 
-/// Ctrl+C in a terminal goes to every process of a group: it must not cut what only this program may end.
+/// Ctrl+C in a terminal goes to every process of a group, and who writes into a pipe that nobody reads gets SIGPIPE: neither must
+/// cut what only this program may end, not even when this program dies.
 class ProcessOfItsOwnGroup final : public QProcess {
 private:
-    void setupChildProcess() override { ::setpgid(0, 0); }
+    void setupChildProcess() override
+    {
+        ::setpgid(0, 0);
+        ::signal(SIGPIPE, SIG_IGN); // QProcess has just set it back
+    }
 };
 
 } // namespace

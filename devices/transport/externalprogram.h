@@ -30,7 +30,7 @@ namespace mb {
 ///     const ExternalProgram::Exit exit = program.exit();
 ///
 /// Destroying it ends the program at once (SIGKILL): cancelling the task that owns it cancels the work, so forbid that while
-/// a cut is fatal (Progress::mayInterrupt). Keys of a terminal do not reach it. Needs an event loop in the thread that made
+/// a cut is fatal (Progress::mayInterrupt). Keys of a terminal do not reach it, and it outlives this program where that dies. Needs an event loop in the thread that made
 /// it; times are those of the clock.
 /// Coroutines are resumed from the clock, never from inside a signal of the process.
 class ExternalProgram : NonCopyable {

@@ -117,6 +117,38 @@ TEST_F(SettingsCore, WhatAnEarlierRunWroteIsReadAsInRamUntilItIsProved)
     EXPECT_EQ(read(), ParameterState::Stored);
 }
 
+TEST_F(SettingsCore, WhatIsKeptOfAPlaceIsTakenBackOnceItsUserHasSaidThatTheUnitIsTheSame)
+{
+    const auto all = core.session().devices();
+    Device &drive = **std::ranges::find(all, "abstractdc", [](const Device *one) { return one->family().key; });
+    const ParameterIndex gain = *findParameter(drive.family().parameters, "velocity.p");
+    const auto undo = [&] {
+        core.send(orders::UndoWrite{core.session().idOf(drive), false}, heard());
+        return ends();
+    };
+    clock.advance(3s);
+    for (const std::int64_t value : {7, 8, 9, 10}) {
+        core.send(orders::WriteParameters{core.session().idOf(drive), {{gain, value}}}, heard());
+        ASSERT_TRUE(ends());
+    }
+    const Result<void> asked = undo();
+    ASSERT_FALSE(asked);
+    EXPECT_NE(asked.error().text().find("this place, not this unit"), std::string::npos) << asked.error().text();
+    EXPECT_EQ(drive.parameters().entry(gain).raw, 10);
+    EXPECT_TRUE(undo());
+    EXPECT_TRUE(undo()) << "it is heard all the while";
+    EXPECT_EQ(drive.parameters().entry(gain).raw, 8);
+    const auto power = [&](bool on) {
+        for (Simulator *unit : core.session().bench(drive.link())->simulators())
+            unit->setPowered(on);
+    };
+    power(false);
+    ASSERT_TRUE(clock.runUntil([&] { return !drive.liveness().heard; }, 10s));
+    power(true);
+    ASSERT_TRUE(clock.runUntil([&] { return drive.liveness().heard; }, 10s));
+    EXPECT_FALSE(undo()) << "another may stand there now";
+}
+
 TEST_F(SettingsCore, AWriteIsUndoneAndDoneAgainByNewWrites)
 {
     clock.advance(3s);

@@ -34,6 +34,8 @@ class Snapshots(ContractTest):
         for name in ("a\nb", "a\x1b[31m", "a\x7f", "a\x9bK", "a\tb"):
             self.assert_error(2, "snapshot", CIM, "--name", name, says="control character")
             self.assert_error(2, "trials", "--note", "2", name, says="control character")
+        for name in ("1", "007", "-3"):
+            self.assert_error(2, "snapshot", CIM, "--name", name, says="number of a snapshot")
         self.run_one("snapshot", CIM, "--name", "limits")
         with contextlib.closing(sqlite3.connect(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db"))) as book:
             book.execute("UPDATE snapshot SET name = ?", ("evil\n\x1b[31m\x9bK°",))  # of an earlier version

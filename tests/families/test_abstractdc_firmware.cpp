@@ -323,6 +323,24 @@ TEST_F(AbstractDcUpdate, ADriveThatIsSilentWhileItIsWrittenAndAnswersThenIsDone)
     EXPECT_TRUE(report->verified);
 }
 
+TEST_F(AbstractDcUpdate, ADriveThatWasMuteBeforeIsDoneAndKnownAgainByItsAnswer)
+{
+    Identity mute = identityOf(3, nullptr);
+    mute.state = DeviceState::Bootloader;
+    device = family.open(host, loop.clock(), mute);
+    drive->setPowered(false);
+    standIn(replay(success, 0));
+    steps.onStep = [this](const std::string &step) {
+        if (step == "Restarting the drive")
+            drive->setPowered(true);
+    };
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_TRUE(report->verified);
+    EXPECT_EQ(device->identity(), identityOf(3, &dialectF)) << "and not half a program any more";
+}
+
 TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)
 {
     standIn(

@@ -45,8 +45,6 @@ TEST(QuadQuad2DrvConversations, LooksForABoard)
         StoryStage stage(told, "sim:spi");
         stage.unit("quadquad2drv:0" + std::string(options));
         const auto rows = stage.scan();
-        stage.probe("quadquad2drv", 0);
-        stage.probe("quadquad2drv", 1);
         for (const Identity &row : rows) {
             Device &device = stage.open(row);
             stage.advance(50ms);

@@ -165,6 +165,25 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
     EXPECT_GT(bench.log.size(), 4U);
 }
 
+TEST(SupermodifiedUpdate, ANodeThatWasMuteBeforeIsDoneAndKnownAgainByItsAnswer)
+{
+    SupermodifiedUpdateBench bench;
+    Identity mute = bench.device->identity();
+    mute.dialect.clear();
+    mute.state = DeviceState::Bootloader;
+    bench.device->setIdentity(mute);
+    bench.cut();
+    bench.standIn(supermodifiedSuccess);
+    const auto report = bench.update("avrdude:usbasp:usb", [&bench](const Operation &operation) {
+        if (operation.status().step.english() == "Looking for the controller")
+            bench.power(true);
+    });
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done) << report->evidence;
+    EXPECT_EQ(bench.device->identity().state, DeviceState::Online);
+    EXPECT_EQ(bench.device->identity().dialect, "D1");
+}
+
 TEST(SupermodifiedUpdate, NothingButAGoodEndThatWasVerifiedCounts)
 {
     for (const QByteArray &script :

@@ -124,6 +124,25 @@ TEST(Session, ConnectsToExactlyTheDeviceThatWasNamed)
     EXPECT_FALSE(connect(bench, "sim:can/dmc60c:7@0001"));
 }
 
+TEST(Session, YieldsASilentUnitWhereItIsMeantAndAnotherWayInLeadsToIt)
+{
+    SimulatedSession bench;
+    const auto silent = [&bench](const char *selector) {
+        return test::run(bench.clock, bench.session.connect(*DeviceSelector::parse(selector), true));
+    };
+    EXPECT_FALSE(connect(bench, "sim:can/abstractdc:6"));
+    const auto mute = silent("sim:can/abstractdc:6");
+    ASSERT_TRUE(mute) << mute.error().text();
+    EXPECT_EQ((*mute)->identity().state, DeviceState::Bootloader);
+    EXPECT_FALSE((*mute)->identity().detail.empty());
+    const auto there = silent("sim:can/abstractdc:3");
+    ASSERT_TRUE(there);
+    EXPECT_EQ((*there)->identity().state, DeviceState::Online);
+    EXPECT_FALSE(silent("sim:can/dmc60c:33")) << "only the bus leads to it";
+    EXPECT_FALSE(silent("sim:can/supermodified:4")) << "it speaks no CAN";
+    EXPECT_EQ((*silent("sim:spi/quadquad2drv:0"))->identity().state, DeviceState::Online);
+}
+
 TEST(Session, WantsTheSessionWhereANumberIsTakenTwice)
 {
     SimulatedSession bench("sim:can?fault=duplicate");

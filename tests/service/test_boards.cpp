@@ -72,6 +72,28 @@ private:
     std::optional<std::size_t> m_plugged;
 };
 
+RecipeMatter recipeOf(const ServiceBooks &books, const UnitRack &rack)
+{
+    books.write("board.hex", ":0400000001020304F2\n:0400040005060708DE\n:00000001FF\n");
+    books.write("recipe.json",
+        QByteArray(
+            R"({"recipe":1,"name":"boards","family":"quadquad2drv","firmware":{"file":"board.hex","via":"serial:)")
+            + QByteArray::fromStdString(books.path("cable")) + "\"}}");
+    auto matter = loadRecipe(books.path("recipe.json"), rack.list());
+    EXPECT_TRUE(matter) << matter.error().text();
+    return *matter;
+}
+
+/// As long as `goesOn` says, five minutes at most.
+void play(VirtualClock &clock, QueueRun &run, Hands &hands, const std::function<bool()> &goesOn)
+{
+    for (int round = 0; round < 60'000 && goesOn(); ++round) {
+        clock.advance(5ms);
+        test::serveDescriptors();
+        hands.follow(run.queue.rows());
+    }
+}
+
 TEST(BoardQueue, ThreeBoardsTheirHandsStepsOneAfterTheOther)
 {
     VirtualClock clock;
@@ -85,23 +107,12 @@ TEST(BoardQueue, ThreeBoardsTheirHandsStepsOneAfterTheOther)
         ASSERT_NE(racks.back()->link, nullptr);
         all.push_back(racks.back().get());
     }
-    books.write("board.hex", ":0400000001020304F2\n:0400040005060708DE\n:00000001FF\n");
-    books.write("recipe.json",
-        QByteArray(
-            R"({"recipe":1,"name":"boards","family":"quadquad2drv","firmware":{"file":"board.hex","via":"serial:)")
-            + QByteArray::fromStdString(books.path("cable")) + "\"}}");
-    const auto matter = loadRecipe(books.path("recipe.json"), racks[0]->list());
-    ASSERT_TRUE(matter) << matter.error().text();
-    QueueRun run(*racks[0], books, *matter);
+    QueueRun run(*racks[0], books, recipeOf(books, *racks[0]));
     for (int i = 1; i < boards; ++i)
         run.queue.addBus(*all[static_cast<std::size_t>(i)]->session, *all[static_cast<std::size_t>(i)]->link);
     Hands hands(books, all);
     run.queue.start();
-    for (int round = 0; round < 60'000 && !run.isEnded; ++round) {
-        clock.advance(5ms);
-        test::serveDescriptors();
-        hands.follow(run.queue.rows());
-    }
+    play(clock, run, hands, [&run] { return !run.isEnded; });
     ASSERT_TRUE(run.isEnded);
     EXPECT_FALSE(run.queue.trouble()) << run.queue.trouble()->text();
     EXPECT_EQ(run.queue.counts().passed, boards);
@@ -121,6 +132,32 @@ TEST(BoardQueue, ThreeBoardsTheirHandsStepsOneAfterTheOther)
     }
     std::printf("three boards, %zu steps by hand, never two at once, %.0f s\n", hands.done.size(),
         std::chrono::duration<double>(clock.now().time_since_epoch()).count());
+}
+
+TEST(BoardQueue, ABoardThatWasCutWhileItWasWrittenIsWrittenAgainThoughItIsMuteOnItsBus)
+{
+    VirtualClock clock;
+    ServiceBooks books(clock);
+    UnitRack rack(std::vector{"quadquad2drv:0,boot=pty:" + books.path("boot1")}, "sim:spi?seed=1", &clock);
+    const RecipeMatter matter = recipeOf(books, rack);
+    QueueOptions options;
+    for (const bool isCut : {true, false}) {
+        QueueRun run(rack, books, matter, options);
+        Hands hands(books, {&rack});
+        run.queue.start();
+        play(clock, run, hands, [&] {
+            const auto rows = run.queue.rows();
+            const bool isWritten
+                = !rows.empty() && rows[0]->what.english() == "sending the firmware" && rows[0]->done > 0;
+            return !run.isEnded && !(isCut && isWritten);
+        });
+        EXPECT_EQ(run.isEnded, !isCut);
+        options.run = run.queue.run();
+    }
+    const auto visits = books.visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_EQ(visits[0].to, "1.4");
 }
 
 } // namespace

@@ -59,6 +59,23 @@ TEST_F(JournalFiles, TheLastRunIsTheOneThatWasWrittenDownLastWhateverTheClockSai
     EXPECT_EQ(books.journal->lastRun("rev C", true).value_or("none"), "second simulated");
 }
 
+TEST_F(JournalFiles, TheVisitsOfARunStandInTheirOrderThoughTheClockIsSetBack)
+{
+    Visit first;
+    first.id = first.unit = "a";
+    first.run = "run";
+    first.time = 3600.0; // it is 0 by now
+    ASSERT_TRUE(putVisits(*books.database, {{first, 1}}));
+    for (int i = 0; i < 5; ++i)
+        opened(*books.journal, std::to_string(i));
+    service::VisitFilter ours;
+    ours.run = "run";
+    const auto visits = books.visits(ours);
+    ASSERT_EQ(visits.size(), 6U);
+    EXPECT_EQ(visits.front().unit, "a");
+    EXPECT_EQ(visits.back().unit, "4");
+}
+
 TEST_F(JournalFiles, ARunOfAProgramThatStillRunsIsNotThereToBeResumed)
 {
     const Visit visit = opened(*books.journal, "a");

@@ -262,15 +262,16 @@ TEST_F(UnitsByPlace, AQueueThatGoesOnServesWhoeverStandsWhereOneHasEnded)
 
 class CutPlaces : public UnitsByPlace {
 protected:
-    /// Served until its number is reserved; the name of the run.
-    std::string cut(UnitRack &rack, const RecipeMatter &matter)
+    /// Served until its number is reserved, or written; the name of the run.
+    std::string cut(UnitRack &rack, const RecipeMatter &matter, bool isWritten = false)
     {
         QueueRun run(rack, *books, matter, units(1));
         run.queue.start();
         EXPECT_TRUE(rack.clock.runUntil(
             [&] {
                 const auto rows = run.queue.rows();
-                return !rows.empty() && rows[0]->visit.number;
+                return !rows.empty() && rows[0]->visit.number
+                    && (!isWritten || timesEnded(rows[0]->visit, Step::Number) > 0);
             },
             1min));
         return run.queue.run();
@@ -296,6 +297,38 @@ TEST_F(CutPlaces, GoOnWithTheirNumberAndAllElseIsDoneAgain)
     EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
     EXPECT_EQ(visits[0].number, 10);
     EXPECT_EQ(timesEnded(visits[0], Step::Backup), 2) << "the backup of the unit that is there now";
+}
+
+TEST_F(CutPlaces, GiveNoNumberTwiceOnceItWasWritten)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    const RecipeMatter matter = load(rack, nodeRecipe);
+    const std::string name = cut(rack, matter, true);
+    exchangeFor(rack, 1);
+    QueueRun again(rack, *books, matter, units(2, name));
+    ASSERT_TRUE(again.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 2U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Failed) << "nobody has seen it since";
+    EXPECT_EQ(visits[0].number, 10);
+    EXPECT_EQ(visits[1].outcome, Outcome::Passed) << visits[1].cause.english();
+    EXPECT_EQ(visits[1].number, 11);
+}
+
+TEST_F(CutPlaces, GoOnUnderTheirNumberOnceItWasWritten)
+{
+    UnitRack rack({"supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    const RecipeMatter matter = load(rack, nodeRecipe);
+    const std::string name = cut(rack, matter, true);
+    exchangeFor(rack, 0); // under its number now
+    QueueRun again(rack, *books, matter, units(1, name));
+    ASSERT_TRUE(again.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_EQ(visits[0].number, 10);
 }
 
 /// A server of numbers that is silent until it is told to answer.

@@ -115,8 +115,25 @@ TEST_F(ServiceQueues, AStopWhileAVisitIsBeingOpenedKeepsItsMotorStill)
     ASSERT_TRUE(rack.clock.runUntil([&] { return slow.isOpening; }, 10s));
     run.queue.stop();
     ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 5min));
-    EXPECT_NE(run.queue.rows()[0]->state, RowState::Passed);
-    EXPECT_EQ(run.queue.rows()[0]->visit.cause.english(), "the self-test was stopped by hand");
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Skipped) << "nothing was judged";
+    EXPECT_EQ(run.queue.counts().ended(), 0);
+    EXPECT_EQ(run.permit.count, 0) << "what does not turn is not announced";
+    QueueOptions options;
+    options.run = run.queue.run();
+    QueueRun again(rack, *books, matter, options);
+    ASSERT_TRUE(again.run());
+    ASSERT_EQ(books->visits().size(), 1U);
+    EXPECT_EQ(books->visits()[0].outcome, Outcome::Passed) << books->visits()[0].cause.english();
+}
+
+TEST_F(ServiceQueues, AStopWhileAMotionIsAnnouncedLeavesItsVisitOpen)
+{
+    UnitRack rack({"dmc60c:7,serial=210334000003"});
+    QueueRun run(rack, *books, load(rack, shortText));
+    run.permit.asked = [&run] { run.queue.stop(); };
+    ASSERT_TRUE(run.run());
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Skipped);
+    EXPECT_EQ(books->visits().at(0).outcome, Outcome::Open);
 }
 
 TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)

@@ -116,6 +116,39 @@ TEST_P(JournalTables, KeepEverythingOfAVisitAndAnOlderWriteChangesNothing)
     EXPECT_EQ(getVisits(*sql, filter)->size(), 2U);
 }
 
+/// Statements on their way to a server that is far away.
+class CountedStatements final : public SqlConnection {
+public:
+    explicit CountedStatements(SqlConnection &sql)
+        : m_sql(sql)
+    {
+    }
+    Result<void> run(const char *statement, const QVariantList &values, const Row &row) override
+    {
+        ++count;
+        return m_sql.run(statement, values, row);
+    }
+    [[nodiscard]] int changed() const override { return m_sql.changed(); }
+    Result<void> transact(const std::function<Result<void>()> &work) override { return m_sql.transact(work); }
+    int count = 0;
+
+private:
+    SqlConnection &m_sql;
+};
+
+TEST_P(JournalTables, TakeAVisitInTwoStatementsHoweverManyItsSteps)
+{
+    Visit visit = visitOf("A", 100.0);
+    for (int i = 0; i < 40; ++i)
+        visit.steps.push_back({Step::Parameters, 101.0 + i, i % 2 == 1, say("%1 of %2 written", i, 40)});
+    CountedStatements counted(*sql);
+    ASSERT_TRUE(putVisits(counted, {{visit, 1}}));
+    EXPECT_EQ(counted.count, 2);
+    EXPECT_EQ(getVisit(*sql, "A")->visit, visit);
+    visit.steps.clear();
+    EXPECT_TRUE(putVisits(*sql, {{visit, 2}}));
+}
+
 TEST(Stations, WaitForEachServerByItselfAndHaveNothingOfSimulatedUnitsForIt)
 {
     const VirtualClock clock;
@@ -399,6 +432,26 @@ TEST_F(StationNumbers, ThatLieHereAreGivenAtOnceWhileTheServerIsSilent)
     ASSERT_FALSE(journal.trouble().detail.empty());
     EXPECT_EQ(ask("b", false), std::pair(11, Duration()));
     EXPECT_EQ(ask("a", false), std::pair(10, Duration())) << "as before";
+}
+
+/// A line over which the server is too slow for as much as that.
+TEST_F(StationNumbers, AServerThatIsTooSlowForManyEntriesGetsFewerAtOnce)
+{
+    test::ServiceBooks books(clock);
+    ServiceBook book(*books.database, clock, "bench 1", "anna");
+    for (int i = 0; i < 20; ++i)
+        ASSERT_TRUE(test::run(clock, book.open(Visit())));
+    test::HeldBackground background;
+    SharedJournal journal(book, *JournalServer::parse(server.url()), clock, &background);
+    std::vector<int> waiting;
+    const auto hears = journal.changed().add([&] { waiting.push_back(journal.waiting()); });
+    clock.advance(18s); // the first is late, and tried again
+    EXPECT_EQ(background.waiting(), 2U);
+    background.release();
+    clock.advance(1s);
+    ASSERT_GE(waiting.size(), 3U);
+    waiting.resize(3);
+    EXPECT_EQ(waiting, (std::vector<int>{20, 15, 5})) << "none in time, five, and as many as before";
 }
 
 TEST_F(StationNumbers, AreWaitedForWhileAnotherStationHoldsTheServer)

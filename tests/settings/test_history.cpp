@@ -174,6 +174,28 @@ TEST_F(Histories, WhatAnotherProgramWroteIsNoticedAndCanBeUndone)
     EXPECT_EQ(reads(five, "slot0.p"), 65536);
 }
 
+class PlacedHistories : public test::SettingsBench {
+protected:
+    PlacedHistories()
+        : SettingsBench("sim:serial")
+    {
+    }
+};
+
+TEST_F(PlacedHistories, WhatAnotherUnitInTheSamePlaceHasIsNothingToUndo)
+{
+    Device &node = *bench.device(4, "supermodified");
+    const auto standsThere = [&](std::int64_t gain) { // written by nobody who keeps it
+        ASSERT_TRUE(write(node, {change(node, "gain.p", 50)}));
+        ASSERT_TRUE(run(node.write(bench.index(node, "gain.p"), gain)));
+    };
+    standsThere(70);
+    EXPECT_EQ(run(settings::noticeForeign(node, *book)).value_or(-1), 0);
+    ASSERT_TRUE(book->setTag(unitKeyOf(node), "arm"));
+    standsThere(80);
+    EXPECT_EQ(run(settings::noticeForeign(node, *book)).value_or(-1), 1) << "its user says that it is the same";
+}
+
 TEST_F(Histories, ARefusedWriteIsNothingToUndo)
 {
     Device &five = *bench.device(5);

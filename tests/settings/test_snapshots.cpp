@@ -102,6 +102,31 @@ TEST_F(Snapshots, AUnitWithATagIsThatUnitWhereverItStands)
     EXPECT_FALSE(book->setTag(unitKeyOf(*bench.device(5)), "x"));
 }
 
+class NodeSnapshots : public test::SettingsBench {
+protected:
+    NodeSnapshots()
+        : SettingsBench("sim:serial")
+    {
+    }
+};
+
+TEST_F(NodeSnapshots, ATagGoesWithItsUnitToItsNewNumber)
+{
+    Device &node = *bench.device(4, "supermodified");
+    const std::string place = unitKeyOf(node);
+    const std::string there = "simulated place sim:serial supermodified:10";
+    ASSERT_TRUE(book->setTag(place, "arm"));
+    ASSERT_TRUE(book->setTag(there, "one that is not there any more"));
+    const auto good = snapshot(node, "good");
+    ASSERT_TRUE(good);
+    ASSERT_TRUE(run(settings::renumberKept(node, 10, settings::Origin::Window, book.get(), progress)));
+    EXPECT_EQ(book->resolved(place), place) << "whoever stands there next is another";
+    EXPECT_FALSE(book->find("good", place));
+    const auto found = book->find("good", there);
+    ASSERT_TRUE(found) << found.error().text();
+    EXPECT_EQ(found->number, good->number);
+}
+
 TEST_F(Snapshots, AUnitThatFallsSilentLeavesNone)
 {
     Device &five = *bench.device(5);

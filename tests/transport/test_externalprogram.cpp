@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QFile>
+#include <QTemporaryDir>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -66,6 +69,15 @@ TEST(ExternalProgram, IsNotReachedByCtrlCInTheTerminalOfThisProgram)
     ASSERT_TRUE(heard);
     ASSERT_EQ(heard->lines.size(), 1U);
     EXPECT_NE(heard->lines.front(), std::to_string(::getpgrp()));
+}
+
+TEST(ExternalProgram, GoesOnToPrintWhenThisProgramDies)
+{
+    test::EventLoop loop;
+    const auto heard = run(loop, "sed -n 's/^SigIgn:[^0-9a-f]*//p' /proc/self/status");
+    ASSERT_TRUE(heard);
+    ASSERT_EQ(heard->lines.size(), 1U);
+    EXPECT_TRUE(std::stoull(heard->lines.front(), nullptr, 16) >> (SIGPIPE - 1) & 1U) << heard->lines.front();
 }
 
 TEST(ExternalProgram, TellsALineThatGrows)
@@ -169,6 +181,25 @@ TEST(Programmer, WholeLinesThatAreNotEmptyGoToTheLog)
     EXPECT_EQ(task.result()->status, 4);
     EXPECT_EQ(told.lines, (std::vector<std::string>{"erased", "writing 12"}));
     EXPECT_EQ(std::count(taken.begin(), taken.end(), "writing 1"), 1) << "what grows is seen while it does";
+}
+
+TEST(Programmer, OneThatIsFoundAndCannotBeStartedIsNotTakenForASilentOne)
+{
+    test::EventLoop loop;
+    QTemporaryDir folder;
+    QFile script(folder.path() + "/programmer");
+    ASSERT_TRUE(script.open(QIODevice::WriteOnly));
+    script.write("#!/nonexistent\n");
+    script.close();
+    ASSERT_TRUE(script.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
+    Told told;
+    auto task = runProgrammer(loop.clock(), {script.fileName().toStdString(), {}}, say("check the probe"), {}, told);
+    task.start();
+    ASSERT_TRUE(loop.runUntil([&] { return task.isFinished(); }));
+    ASSERT_FALSE(task.result());
+    EXPECT_EQ(task.result().error().fault, Fault::LinkLost);
+    EXPECT_NE(task.result().error().text().find("cannot be started"), std::string::npos)
+        << task.result().error().text();
 }
 
 } // namespace

@@ -71,7 +71,8 @@ std::function<void(const Result<void> &)> ParameterCommands::keeping(DeviceId de
 {
     return [commands = QPointer(this), device, remedy](const Result<void> &result) {
         if (commands && !result)
-            commands->refuse(historyNotice, device, result.error(), remedy);
+            commands->refuse(historyNotice, device, result.error(),
+                result.error().fault == Fault::Unsafe ? QString() : remedy); // nothing was done
         else if (commands)
             Q_EMIT commands->kept();
     };

@@ -102,7 +102,6 @@ const Family family{
     .loop = &controlLoop,
     .trials = &trials,
     .scan = scan,
-    .probe = probe,
     .open = open,
     .decodeBytes = decodeBytes,
     .update = update,

@@ -12,6 +12,8 @@ constexpr int knownProtocol = 1;
 
 void setVersion(Identity &identity, int major, int minor, int protocol)
 {
+    identity.state = DeviceState::Online;
+    identity.detail = {};
     identity.firmware = std::to_string(major) + '.' + std::to_string(minor);
     identity.dialect = "protocol " + std::to_string(protocol);
     if (protocol != knownProtocol)
@@ -38,37 +40,6 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
         sink.found(identity);
     }
     sink.progress(say("asking for the version"), 1, 1);
-    co_return {};
-}
-
-Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
-{
-    if (address != 0)
-        co_return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
-    struct Watching final : ScanSink {
-        explicit Watching(ScanSink &behind)
-            : next(behind)
-        {
-        }
-        void found(const Identity &identity) override
-        {
-            any = true;
-            next.found(identity);
-        }
-        void progress(const Message &what, int done, int total) override { next.progress(what, done, total); }
-        ScanSink &next;
-        bool any = false;
-    };
-    Watching watching(sink);
-    co_await scan(link, clock, watching);
-    if (!watching.any) {
-        Identity silent;
-        silent.family = "quadquad2drv";
-        silent.state = DeviceState::Bootloader;
-        silent.detail = say("nothing answers over SPI; the board has no power or wrong wiring, or it waits in its "
-                            "bootloader: update it, or take the jumper out and reset it");
-        sink.found(silent);
-    }
     co_return {};
 }
 
