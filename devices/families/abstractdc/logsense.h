@@ -40,6 +40,8 @@ public:
     [[nodiscard]] Result<void> wish(ChannelIndex channel, double hertz);
     /// Unsafe: what this drive is sent, others do, too (LogPoller::reachesOthers()).
     [[nodiscard]] Result<void> isAddressedAlone() const;
+    /// LogPoller::reachesOldest()
+    [[nodiscard]] bool reachesOldest() const { return m_poller.reachesOldest(); }
     /// After a silence: nothing that was known holds.
     void forget();
 
