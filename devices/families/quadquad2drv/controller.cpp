@@ -258,6 +258,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     if (!reply)
         co_return fail(reply.error().about(row.key));
     m_settings.accepted(index, raw);
+    m_layout.chosen(index, raw);
     if (ofAxis && which == AxisParameter::DataMask) {
         DataMasks masks = m_port.masks(); // told, and so no sign of a reset
         masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);
