@@ -311,24 +311,6 @@ TEST_F(QuadQuad2Drv, AWrongTargetIsRefusedAndNothingIsSent)
     EXPECT_EQ(device->check(setPoint(Mode::Current, 1.0)).error().fault, Fault::Unsupported);
 }
 
-TEST_F(QuadQuad2Drv, ARampToAPositionNeedsAVelocityThatTheBoardIsTold)
-{
-    SetPoint ramp = setPoint(Mode::RampPosition, 2000.0);
-    EXPECT_EQ(device->check(ramp).error().fault, Fault::OutOfRange);
-    ramp.velocity = 0.0001;
-    EXPECT_EQ(device->check(ramp).error().fault, Fault::OutOfRange) << "as a number of the board it is 0";
-    ramp.velocity = 0.001;
-    EXPECT_TRUE(device->check(ramp));
-    EXPECT_TRUE(device->check(setPoint(Mode::RampVelocity, 100.0))) << "that one has no other";
-}
-
-TEST_F(QuadQuad2Drv, PositionsCountFromAnotherPlaceOnceACounterIsWritten)
-{
-    const auto origin = device->gate().origin();
-    ASSERT_TRUE(run(bench.clock, device->write(indexOf(2, AxisParameter::Counter), 5)));
-    EXPECT_NE(device->gate().origin(), origin);
-}
-
 TEST_F(QuadQuad2Drv, ARampIsSentOnceAndArrivesWithItsVelocity)
 {
     SetPointStream &stream = bench.session.stream(*device);

@@ -25,6 +25,17 @@ constexpr Duration foreignMemory = 2s;
 constexpr int proofAttempts = 3; ///< of its question
 constexpr int stopRepeats = 3;   ///< of the stop script
 
+/// Its own length first. The drive ignores the other one, which is for a dialect that was mistaken, and is left out where a drive of
+/// dialect LL would take the long one for a set-point; the short one that ignores.
+std::vector<CanFrame> stopsOf(const LogSense &logs, int offset, bool mayBoth)
+{
+    auto frames = stopFrames(offset);
+    if (logs.dialect() && logs.dialect()->wide && logs.dialect()->canStop())
+        std::swap(frames.front(), frames.back());
+    const bool isAlone = !mayBoth || logs.reachesOldest();
+    return {frames.begin(), isAlone ? std::next(frames.begin()) : frames.end()};
+}
+
 /// A stop has no answer. A question after it has one, and CAN keeps the order: whoever answers has had the stop before.
 StopStep proofStep(const Dialect &dialect, int offset, const CanLink &link)
 {
@@ -197,22 +208,11 @@ void Controller::doStop()
     sendStop();
 }
 
-/// Its own length first. The drive ignores the other one, which is for a dialect that was mistaken, and is left out where a drive of
-/// dialect LL would take the long one for a set-point; the short one that ignores.
-std::vector<CanFrame> Controller::stops() const
-{
-    auto frames = stopFrames(identity().address);
-    if (m_logs.dialect() && m_logs.dialect()->wide && m_logs.dialect()->canStop())
-        std::swap(frames.front(), frames.back());
-    const bool both = doMayStop() && !m_logs.reachesOldest();
-    return {frames.begin(), both ? frames.end() : std::next(frames.begin())};
-}
-
 /// Its own length twice (README.md#no-watchdog): the first overtakes what waits, the last comes behind a set-point that the kernel
 /// may still hold.
 void Controller::sendStop()
 {
-    const std::vector<CanFrame> frames = stops();
+    const auto frames = stopsOf(m_logs, identity().address, doMayStop().has_value());
     for (const CanFrame &frame : frames)
         (void)m_can.send(frame, Priority::Urgent);
     (void)m_can.send(frames.front());
@@ -236,7 +236,7 @@ Result<void> Controller::doMayStop() const
 StopScript Controller::stopScript() const
 {
     StopScript script;
-    for (const CanFrame &frame : stops()) {
+    for (const CanFrame &frame : stopsOf(m_logs, identity().address, doMayStop().has_value())) {
         StopStep step;
         step.frame = frame;
         step.wait = std::chrono::milliseconds(10);

@@ -49,7 +49,6 @@ private:
     void speak();
     void enter(std::optional<Loop> loop, Instant time);
     void sendStop();
-    [[nodiscard]] std::vector<CanFrame> stops() const;
     void onFrame(const CanFrame &frame, bool ours);
     void onSent(const CanFrame &frame);
     void onSilence();
