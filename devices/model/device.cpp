@@ -3,6 +3,8 @@
 
 #include "model/family.h"
 
+#include <QScopeGuard>
+
 #include <utility>
 
 namespace mb {
@@ -100,9 +102,16 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     UnsettledWrite unsettled = m_knowledge.writing(index);
     if (parameter.access != Access::WriteOnly || m_link.state() != LinkState::Open)
         unsettled.settle();
+    auto moves = qScopeGuard([this, isPlace = parameter.nature == Nature::Live] {
+        if (isPlace) // also where nobody knows whether it came
+            m_gate.originMoved();
+    });
     const Result<std::int64_t> inForce = co_await doWrite(index, raw).attempt();
-    if (inForce || !mayHaveCome(inForce.error().fault))
+    const bool isRefused = !inForce && !mayHaveCome(inForce.error().fault);
+    if (inForce || isRefused)
         unsettled.settle();
+    if (isRefused)
+        moves.dismiss();
     const bool forgotten = !family().capabilities.keepsSettings && parameter.nature == Nature::Setting;
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         m_knowledge.assume(index, *inForce);

@@ -81,8 +81,9 @@ TEST_F(AbstractDcController, StopsWithBothLengthsAndAgain)
         EXPECT_TRUE(device->isSeenStopped()) << dialect->key;
         const StopScript script = device->stopScript();
         ASSERT_EQ(script.steps.size(), 3U);
-        EXPECT_EQ(toText(*script.steps[0].frame), prefix + "0000000000");
-        EXPECT_EQ(toText(*script.steps[1].frame), prefix + "0000000000000000");
+        const std::size_t wide = dialect->wide ? 0 : 1; // its own length is told first
+        EXPECT_EQ(toText(*script.steps[wide].frame), prefix + "0000000000000000");
+        EXPECT_EQ(toText(*script.steps[1 - wide].frame), prefix + "0000000000");
         EXPECT_GE(script.steps[0].attempts, 2);
         const CanFrame question = *script.steps[2].frame;
         const std::string answer = toText(*script.steps[2].replyFrame);

@@ -2,6 +2,8 @@
 // What is sent to the drive with offset 0 is done by all drives of the bus (abstractdc/README.md#offsets).
 #include "abstractdccontrollerbench.h"
 
+#include <algorithm>
+
 namespace mb::abstractdc {
 namespace {
 
@@ -61,6 +63,32 @@ TEST_F(AbstractDcController, OffsetZeroAloneOnItsBusIsADriveLikeOthers)
     stream.stop();
     clock.advance(5ms);
     EXPECT_FALSE(drive.isOutputOn());
+}
+
+/// To a drive of dialect LL eight bytes of nothing are the speed 0.
+TEST_F(AbstractDcController, TheStopOfOffsetZeroStartsNoDriveOfTheOldestDialect)
+{
+    struct Row {
+        const Dialect *dialect;
+        const char *own;
+        const char *other;
+    };
+    add("abstractdc:7,dialect=LL");
+    for (const Row &row : {Row{&dialectF, "064#0000000000", "064#0000000000000000"},
+             Row{&dialectL, "064#0000000000000000", "064#0000000000"}}) {
+        const auto watched = family.open(host, clock, identityOf(7, &dialectLL));
+        open(0, row.dialect);
+        clock.advance(500ms);
+        ASSERT_TRUE(watched->liveness().heard);
+        device->stop();
+        EXPECT_EQ(std::ranges::count(sent, row.own), 2);
+        EXPECT_EQ(std::ranges::count(sent, row.other), 0);
+        const bool isWide = row.dialect->wide;
+        EXPECT_EQ(device->mayStop().has_value(), !isWide) << "STOP leaves out what would start the other";
+        EXPECT_EQ(toText(*device->stopScript().steps.front().frame), row.own);
+        EXPECT_EQ(device->stopScript().steps.size(), isWide ? 1U : 2U) << "with what proves it";
+        EXPECT_EQ(watched->liveness().foreignMaster, isWide) << "nothing else drives it";
+    }
 }
 
 TEST_F(AbstractDcController, AnotherDriveThatComesEndsTheMotionOfOffsetZero)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the output of a loop does not fit into 16 bits the motor turns to full reverse: targets are led from where it is.
 #include "abstractdccontrollerbench.h"
+#include "families/abstractdc/parameters.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <limits>
 
 namespace mb::abstractdc {
 namespace {
@@ -242,6 +246,49 @@ TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
     device->stop();
     ASSERT_TRUE(write("position.d", 0));
     EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
+}
+
+/// The drive's counter has 32 bits, which last for three hours at this speed.
+TEST_F(AbstractDcLead, AVelocityStaysWhatItIsWhereThePositionWraps)
+{
+    constexpr std::int64_t end = std::numeric_limits<std::int32_t>::max();
+    test::FakeUnit unit(bus, clock);
+    const auto log = [](const char *id, std::int64_t value) {
+        const auto bits = static_cast<std::uint32_t>(value);
+        std::array<char, 16> text{};
+        (void)std::snprintf(text.data(), text.size(), "%s#%02X%02X%02X%02X", id, bits & 0xFF, bits >> 8 & 0xFF,
+            bits >> 16 & 0xFF, bits >> 24);
+        return test::FakeUnit::Frames{text.data()};
+    };
+    const auto positionsFrom = [&](std::int64_t from, std::int64_t step) {
+        std::vector<test::FakeUnit::Frames> all;
+        for (int i = 0; i < 200; ++i)
+            all.push_back(log("483", from + i * step));
+        return all;
+    };
+    open(3, &dialectF);
+    DeviceProfile known; // its loop has passed there
+    known.counters[std::string(counter::place)] = known.counters[std::string(counter::passed)] = end - 200'000;
+    device->knowledge().setProfile(std::move(known));
+    unit.answer("387#00", positionsFrom(end - 200'000, 0));
+    unit.answer("387#01", {log("403", 200'000)});
+    for (const auto &[question, answer] : {std::pair("387#02", "503"), {"387#03", "603"}, {"387#04", "680"}})
+        unit.answer(question, {log(answer, 100)});
+    clock.advance(1s);
+    gains("velocity", 1, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 200'000.0), 60s));
+    unit.answer("387#00", positionsFrom(end - 200'000, 4000)); // 50 a second
+    clock.advance(500ms);
+    ASSERT_LT(latest("position"), end - 50'000.0);
+    ASSERT_EQ(sentOf("067#01").back(), "067#01400D0300") << "200000";
+    sent.clear();
+    clock.advance(1500ms);
+    ASSERT_LT(latest("position"), 0.0) << "it has wrapped";
+    ASSERT_TRUE(stream.isRunning()) << stream.reason().english();
+    for (const std::string &frame : sentOf("067#"))
+        EXPECT_EQ(frame, "067#01400D0300");
+    stream.stop();
 }
 
 TEST_F(AbstractDcLead, ASecondJumpOfAPositionIsBelievedOnlyWhereTheFirstWas)

@@ -338,6 +338,34 @@ TEST_F(AbstractDcMotion, TheSlackGrowsWithTheWayOfAMovingShaft)
     EXPECT_FALSE(at(100ms, 100000));
 }
 
+TEST_F(AbstractDcMotion, APositionThatWrapsAtThirtyTwoBitsGoesOn)
+{
+    constexpr std::int64_t last = std::numeric_limits<std::int32_t>::max();
+    const auto told
+        = [](std::int64_t position) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(position)); };
+    for (const std::int64_t step : {4000, -4000}) {
+        sense = {};
+        std::int64_t position = step > 0 ? last - 9000 : -last + 9000;
+        for (int i = 0; i < 8; ++i, position += step) {
+            EXPECT_EQ(sense.add(told(position), Instant{1s} + i * 20ms), MotionSense::Reading::Taken) << i;
+            EXPECT_EQ(sense.position(), told(position));
+            if (i > 0) {
+                EXPECT_NEAR(*velocity(i * 20ms), static_cast<double>(step) * 50.0, 1e-3) << i;
+            }
+        }
+        EXPECT_EQ(sense.add(0, Instant{1s} + 160ms), MotionSense::Reading::Anew) << "so fast does no shaft turn back";
+        EXPECT_EQ(sense.position(), 0);
+    }
+    sense = {};
+    at(0ms, told(last));
+    at(50ms, told(last + 1));
+    EXPECT_TRUE(stands(-1ms)) << "one count";
+    EXPECT_FALSE(moves(50ms));
+    at(100ms, told(last + 3));
+    EXPECT_TRUE(moves(100ms));
+    EXPECT_TRUE(at(120ms, told(last + 3 + 65535))) << "a glitch";
+}
+
 TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
 {
     MotionSense sense;

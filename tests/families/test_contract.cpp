@@ -300,6 +300,7 @@ TEST_P(Contract, EveryModeOfTheFamilyIsAcceptedAndOthersAreUnsupported)
         SetPoint setPoint;
         setPoint.mode = mode;
         setPoint.target = mode == Mode::Follow ? device->identity().address + 1 : 0.0;
+        setPoint.velocity = mode == Mode::RampPosition ? 100.0 : 0.0;
         const auto checked = device->check(setPoint);
         EXPECT_EQ(checked.has_value(), offered) << toString(mode);
         if (!checked && !offered) {

@@ -38,6 +38,19 @@ TEST_F(Dmc60cPosition, IsNotWrittenRightBehindASetPoint)
     EXPECT_TRUE(write()) << "it is halted again";
 }
 
+TEST_F(Dmc60cPosition, CountsFromAnotherPlaceOnceItIsWritten)
+{
+    unit.every(10ms, resting);
+    clock.advance(50ms);
+    const auto origin = device->gate().origin();
+    ASSERT_TRUE(command(Mode::Duty, 0.1));
+    ASSERT_FALSE(write());
+    EXPECT_EQ(device->gate().origin(), origin);
+    clock.advance(200ms);
+    ASSERT_TRUE(write());
+    EXPECT_NE(device->gate().origin(), origin);
+}
+
 TEST_F(Dmc60cPosition, IsWrittenRightBehindAStop)
 {
     unit.every(10ms, resting);

@@ -164,6 +164,15 @@ TEST_F(Dmc60cController, SeesAnotherMasterForHalfASecond)
     EXPECT_TRUE(command(Mode::Duty, 0.1));
 }
 
+TEST_F(Dmc60cController, WhatNoUnitTakesForAnOrderIsNoneOfAnotherMaster)
+{
+    for (const char *frame : {"02060005#", "02060005#00000000102700"}) {
+        unit.send(frame);
+        clock.advance(1ms);
+        EXPECT_FALSE(device->liveness().foreignMaster) << frame << ": an order has eight bytes";
+    }
+}
+
 TEST_F(Dmc60cController, IgnoresMastersOfOtherUnits)
 {
     unit.send("02060006#0000000010270000");

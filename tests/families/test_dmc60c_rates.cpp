@@ -88,6 +88,33 @@ TEST_F(Dmc60cRates, ThatAreWishedAreAskedForUntilAUnitThatStartedAnewAnswers)
     EXPECT_EQ(unit.count(faster), 3) << "once when they were raised";
 }
 
+TEST_F(Dmc60cRates, GoBackToWhatSomebodyHasWrittenMeanwhile)
+{
+    unit.answer("02061885#34125C32000000", {{"02061845#5C3200000000"}}); // 50 ms
+    ASSERT_TRUE(run(device->write(index("status.encoder.period"), 50)));
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 0.0)));
+    EXPECT_EQ(unit.count("02061885#34125C32000000"), 2);
+    EXPECT_EQ(unit.count(slower), 0);
+}
+
+TEST_F(Dmc60cRates, GoBackToWhatAnotherProgramHasWrittenMeanwhile)
+{
+    unit.answer("02061885#34125C32000000", {{"02061845#5C3200000000"}});
+    unit.send("02061845#5C3200000000"); // its answer
+    clock.advance(5ms);
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 0.0)));
+    EXPECT_EQ(unit.count("02061885#34125C32000000"), 1);
+}
+
+TEST_F(Dmc60cRates, AnAnswerFromBeforeANewWishIsNobodysChoice)
+{
+    unit.answer("02061885#34125C05000000", {{"02061845#5C0A00000000", "02061845#5C0500000000"}});
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 200.0)));
+    clock.advance(5ms);
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 0.0)));
+    EXPECT_EQ(unit.count(slower), 1);
+}
+
 TEST_F(Dmc60cRates, AUnitThatTookTheNumberGetsItsOwnBackNotThatOfTheOneBefore)
 {
     unit.answer("02061805#34125B", {{"02061845#5B2800000000"}}); // somebody had set 40 ms

@@ -2,15 +2,37 @@
 // What is concluded from the counters of a DMC60C: hidden faults, and whether its flash holds what was written.
 #include "families/dmc60c/faultwatch.h"
 #include "families/dmc60c/flashproof.h"
+#include "families/dmc60c/statussense.h"
+#include "model/family.h"
 
 #include <gtest/gtest.h>
 
 namespace mb::dmc60c {
+extern const Family family;
+
 namespace {
 
 using namespace std::chrono_literals;
 
 constexpr Instant watchBegin{100s};
+
+// Its shaft
+
+TEST(Dmc60cStatusSense, ACountOfFlickerIsNoMotion)
+{
+    StatusSense sense(std::make_shared<Telemetry>(family.channels));
+    auto turns = [&sense, now = watchBegin](std::int32_t velocity) mutable {
+        StatusEncoder status;
+        status.velocity = velocity;
+        sense.take(status, now += 100ms, true);
+        return sense.isTurning(now);
+    };
+    for (const std::int32_t still : {0, 1, 0, -1, 1})
+        EXPECT_FALSE(turns(still)) << still;
+    EXPECT_TRUE(turns(2));
+    EXPECT_FALSE(turns(1));
+    EXPECT_TRUE(turns(-2));
+}
 
 // dmc60c/README.md#hidden-faults
 

@@ -75,6 +75,27 @@ TEST_F(QuadQuad2DrvAssumed, ATargetBeyondAKnownLimitOfItsAxisIsSaid)
     EXPECT_EQ(caution(Mode::Position, 100000.0), "");
 }
 
+TEST_F(QuadQuad2DrvAssumed, ARampToAPositionNeedsAVelocityThatTheBoardIsTold)
+{
+    SetPoint ramp;
+    ramp.mode = Mode::RampPosition;
+    EXPECT_EQ(device->check(ramp).error().fault, Fault::OutOfRange);
+    ramp.velocity = 0.0001;
+    EXPECT_EQ(device->check(ramp).error().fault, Fault::OutOfRange) << "as a number of the board it is 0";
+    ramp.velocity = 0.001;
+    EXPECT_TRUE(device->check(ramp));
+    ramp.mode = Mode::RampVelocity;
+    ramp.velocity = 0.0;
+    EXPECT_TRUE(device->check(ramp)) << "its target is one";
+}
+
+TEST_F(QuadQuad2DrvAssumed, PositionsCountFromAnotherPlaceOnceACounterIsWritten)
+{
+    const auto origin = device->gate().origin();
+    ASSERT_TRUE(run(bench.clock, device->write(indexOf(2, AxisParameter::Counter), 5)));
+    EXPECT_NE(device->gate().origin(), origin);
+}
+
 TEST_F(QuadQuad2DrvAssumed, AFirstPowerLimitThatAStopOvertookGoesOutWithTheNextStart)
 {
     ASSERT_TRUE(begin());

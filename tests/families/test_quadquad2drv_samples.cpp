@@ -114,6 +114,20 @@ TEST(QuadQuad2DrvSamples, ARateIsPutBackWithPeriodConfigurationAndMasks)
     EXPECT_NEAR(bench.device->telemetry()->rate(position, bench.device->clock().now()), 100.0, 3.0);
 }
 
+TEST(QuadQuad2DrvSamples, ARateGoesBackToThePeriodAndConfigurationThatWereWrittenMeanwhile)
+{
+    Bench bench;
+    bench.rate(500.0);
+    const auto write = [&bench](BoardParameter which, std::int64_t raw) {
+        return run(bench.bench.clock, bench.device->write(indexOf(which), raw)).has_value();
+    };
+    ASSERT_TRUE(write(BoardParameter::StreamPeriod, 244));
+    ASSERT_TRUE(write(BoardParameter::StreamConfig, streamconfig::timing));
+    bench.rate(0.0);
+    EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 244);
+    EXPECT_EQ(parseStreamConfig(bench.asked(PacketId::GetStreamConfig)), streamconfig::timing);
+}
+
 TEST(QuadQuad2DrvSamples, MasksThatTellOfAResetStayWhereSomethingWasWrittenMeanwhile)
 {
     Bench bench;

@@ -115,6 +115,29 @@ TEST_F(QuadQuad2DrvStop, TheNextMotionAfterItIsObeyedThoughAnOrderWasStillUnderW
     EXPECT_FALSE(board->isOutputOn());
 }
 
+/// What asks for the proof of a stop switches all axes off.
+TEST_F(QuadQuad2DrvStop, AMotionThatIsOrderedBehindItBeginsOnceItIsProven)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    sent.clear();
+    stream->stop();
+    const auto isOff = [](const Bytes &packet) { return isMode(packet, ControlMode::Off); };
+    ASSERT_TRUE(bench.clock.runUntil([&] { return std::ranges::count_if(sent, isOff) == 2; }, 1s));
+    spi().setLoss(1.0); // the answer to its first question
+    bench.clock.advance(5ms);
+    spi().setLoss(0.0);
+    bench.clock.advance(50ms);
+    ASSERT_FALSE(device->isSeenStopped());
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(1s);
+    EXPECT_TRUE(board->isOutputOn());
+    EXPECT_TRUE(stream->isRunning()) << stream->reason().english();
+    const auto begun = std::ranges::find_if(sent, [](const Bytes &p) { return isMode(p, ControlMode::Power); });
+    ASSERT_NE(begun, sent.end());
+    EXPECT_TRUE(std::none_of(begun, sent.end(), isOff));
+}
+
 TEST_F(QuadQuad2DrvStop, AnOrderThatTheBoardDoesNotTakeEndsTheMotionAndItStaysEnded)
 {
     ASSERT_TRUE(stream->start(duty(0.3), 10s));

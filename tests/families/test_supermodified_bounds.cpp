@@ -418,6 +418,11 @@ TEST_F(SupermodifiedJudgement, AProfileIsAsFastAndAsSteepAsTheWidthOfTheDialect)
     EXPECT_EQ(profile(Dialect::D3, ramp(1.0, -1.0, 1.0)), bad);
     EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 1.0, -1.0)), bad);
     EXPECT_EQ(profile(Dialect::D3, ramp(1.0, NAN, 1.0)), bad);
+    for (const double refused : {0.3, 0.49, 0.99}) { // the device takes 1 or more
+        EXPECT_EQ(profile(Dialect::D3, ramp(1.0, refused, 1.0)), bad) << refused;
+        EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 1.0, refused)), bad) << refused;
+    }
+    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), good) << "it goes on with what it has";
 }
 
 TEST_F(SupermodifiedJudgement, AMoveThatMayPassItsTargetNeedsAProfileThatIsKnown)

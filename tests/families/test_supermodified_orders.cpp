@@ -15,6 +15,42 @@ using test::ramp;
 using test::setPoint;
 using SupermodifiedOrders = test::OneNode;
 
+// Of another master
+
+TEST(SupermodifiedForeignStop, EndsAMotionAndIsNoOrderToANodeThatRests)
+{
+    for (const std::string_view stop : {"55 AA 04 02 1B 00 1B", "55 AA 00 02 CB 00 CB"}) {
+        Bench bench;
+        const Simulator &node = bench.add("supermodified:4,dialect=D3");
+        const auto device = bench.connect(4);
+        VirtualSerialLink other(*LinkAddress::parse("sim:serial"), bench.line);
+        ASSERT_TRUE(other.open());
+        ASSERT_TRUE(other.setBaudrate(bench.host.baudrate()));
+        const auto tellUntil = [&](auto isDone) { // some collide with our own questions
+            for (int i = 0; i < 40 && !isDone(); ++i) {
+                EXPECT_TRUE(other.send(test::bytesOf(stop)));
+                bench.clock.advance(7300us);
+            }
+        };
+        bench.clock.advance(99ms); // between two questions of our own
+        tellUntil([i = 0]() mutable { return i++ == 3; });
+        EXPECT_FALSE(device->liveness().foreignMaster) << stop;
+        bench.clock.advance(2s);
+        ASSERT_TRUE(device->liveness().heard);
+        SetPointStream stream(*device, bench.clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Position, 0.0), 60s));
+        bench.clock.advance(500ms);
+        ASSERT_TRUE(node.isOutputOn()) << stream.reason().english();
+        bench.sent.clear();
+        tellUntil([&] { return !stream.isRunning(); });
+        EXPECT_EQ(stream.end(), SetPointStream::End::ForeignMaster) << stop;
+        bench.clock.advance(2s);
+        EXPECT_FALSE(node.isOutputOn());
+        EXPECT_EQ(bench.count(Command::Start), 0) << stop;
+        EXPECT_FALSE(device->liveness().moving);
+    }
+}
+
 // A Start of which nobody knows whether it was done (supermodified/README.md#start)
 
 TEST(SupermodifiedStart, AStopWhileItIsOnTheWireLosesNoPosition)

@@ -16,13 +16,14 @@ constexpr Parameter commonRow(std::string_view key, std::uint16_t id, Access acc
 {
     return {key, id, WireType::Int32, 1.0, "", 0.0, 100.0, 0.0, access, true, nature, "Group", key, "help"};
 }
-constexpr std::array<Parameter, 4> commonRows{commonRow("told", 1, Access::WriteOnly),
+constexpr std::array<Parameter, 5> commonRows{commonRow("told", 1, Access::WriteOnly),
     commonRow("asked", 2, Access::ReadWrite), commonRow("fixed", 3, Access::ReadOnly),
-    commonRow("count", 4, Access::ReadWrite, Nature::Counter)};
+    commonRow("count", 4, Access::ReadWrite, Nature::Counter), commonRow("place", 5, Access::ReadWrite, Nature::Live)};
 constexpr ParameterIndex toldRow{0};
 constexpr ParameterIndex askedRow{1};
 constexpr ParameterIndex fixedRow{2};
 constexpr ParameterIndex countedRow{3};
+constexpr ParameterIndex placeRow{4};
 
 constexpr Family commonFamily(bool keepsSettings, bool storesAtOnce)
 {
@@ -84,6 +85,8 @@ private:
         ++writes;
         if (!answers)
             co_return fail(Fault::Timeout);
+        if (!obeys)
+            co_return fail(Fault::Unsafe);
         co_return inForce;
     }
     Task<void> doRestart() override
@@ -247,6 +250,24 @@ TEST_F(CommonDevice, PositionsCountFromAnotherPlaceOnceItHasRestarted)
     EXPECT_EQ(motor->gate().origin(), origin);
     motor->restartUnseen();
     EXPECT_NE(motor->gate().origin(), origin);
+}
+
+TEST_F(CommonDevice, PositionsCountFromAnotherPlaceOnceTheirCounterWasWrittenOrMayHaveBeen)
+{
+    make();
+    const auto moves = [this](ParameterIndex row) {
+        const auto origin = motor->gate().origin();
+        (void)write(row);
+        return motor->gate().origin() != origin;
+    };
+    EXPECT_TRUE(moves(placeRow));
+    EXPECT_FALSE(moves(askedRow)) << "a setting";
+    EXPECT_FALSE(moves(countedRow));
+    motor->answers = false;
+    EXPECT_TRUE(moves(placeRow)) << "nobody knows whether it came";
+    motor->answers = true;
+    motor->obeys = false;
+    EXPECT_FALSE(moves(placeRow)) << "it was refused";
 }
 
 TEST_F(CommonDevice, WhileStopIsPressedNothingIsDrivenOrReleased)

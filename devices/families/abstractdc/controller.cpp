@@ -12,7 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <span>
+#include <iterator>
+#include <utility>
 
 namespace mb::abstractdc {
 namespace {
@@ -23,6 +24,17 @@ constexpr Duration repeatPeriod = 250ms; ///< of a set-point that did not change
 constexpr Duration foreignMemory = 2s;
 constexpr int proofAttempts = 3; ///< of its question
 constexpr int stopRepeats = 3;   ///< of the stop script
+
+/// Its own length first. The drive ignores the other one, which is for a dialect that was mistaken, and is left out where a drive of
+/// dialect LL would take the long one for a set-point; the short one that ignores.
+std::vector<CanFrame> stopsOf(const LogSense &logs, int offset, bool mayBoth)
+{
+    auto frames = stopFrames(offset);
+    if (logs.dialect() && logs.dialect()->wide && logs.dialect()->canStop())
+        std::swap(frames.front(), frames.back());
+    const bool isAlone = !mayBoth || logs.reachesOldest();
+    return {frames.begin(), isAlone ? std::next(frames.begin()) : frames.end()};
+}
 
 /// A stop has no answer. A question after it has one, and CAN keeps the order: whoever answers has had the stop before.
 StopStep proofStep(const Dialect &dialect, int offset, const CanLink &link)
@@ -196,17 +208,14 @@ void Controller::doStop()
     sendStop();
 }
 
+/// Its own length twice (README.md#no-watchdog): the first overtakes what waits, the last comes behind a set-point that the kernel
+/// may still hold.
 void Controller::sendStop()
 {
-    const auto frames = stopFrames(identity().address);
-    const std::size_t own = m_logs.dialect() && m_logs.dialect()->wide && m_logs.dialect()->canStop() ? 1 : 0;
-    // Its own length first. The drive ignores the other one, which is for a dialect that was mistaken. Twice (README.md#no-watchdog): the
-    // first overtakes what waits, the last comes behind a set-point that the kernel may still hold.
-    // A drive of dialect LL takes the long one for a set-point; the short one it ignores.
-    (void)m_can.send(frames.at(own), Priority::Urgent);
-    if (doMayStop())
-        (void)m_can.send(frames.at(1 - own), Priority::Urgent);
-    (void)m_can.send(frames.at(own));
+    const auto frames = stopsOf(m_logs, identity().address, doMayStop().has_value());
+    for (const CanFrame &frame : frames)
+        (void)m_can.send(frame, Priority::Urgent);
+    (void)m_can.send(frames.front());
     m_lead.reset();
     telemetry()->breakLine(channel::setPoint);
     enter(Loop::None, clock().now());
@@ -219,14 +228,15 @@ Result<void> Controller::doMayStop() const
         return fail(Fault::Unsafe, say("it is not proven which codes it speaks, and a stop of others may start it"));
     if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("dialect LL has no code for stop"));
+    if (m_logs.dialect()->wide && m_logs.reachesOldest())
+        return fail(Fault::Unsafe, say("a drive of dialect LL hears its stop, too, and would be started by it"));
     return {};
 }
 
 StopScript Controller::stopScript() const
 {
     StopScript script;
-    const auto frames = stopFrames(identity().address);
-    for (const CanFrame &frame : std::span(frames).first(doMayStop() ? 2 : 1)) {
+    for (const CanFrame &frame : stopsOf(m_logs, identity().address, doMayStop().has_value())) {
         StopStep step;
         step.frame = frame;
         step.wait = std::chrono::milliseconds(10);

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] Result<void> wish(ChannelIndex channel, double hertz);
     /// Unsafe: what this drive is sent, others do, too (LogPoller::reachesOthers()).
     [[nodiscard]] Result<void> isAddressedAlone() const;
+    /// LogPoller::reachesOldest()
+    [[nodiscard]] bool reachesOldest() const { return m_poller.reachesOldest(); }
     /// After a silence: nothing that was known holds.
     void forget();
 
@@ -65,6 +67,8 @@ private:
     void plan();
     [[nodiscard]] double rateOf(Log log) const;
     [[nodiscard]] bool isFresh(Log log) const;
+    /// What is told of it at that time is of this run.
+    [[nodiscard]] bool isOfThisRun(Log log, Instant time) const;
     void take(Log log, std::int32_t value, Instant time);
     void takePosition(std::int32_t value, Instant time);
     void takeVoltage(std::int32_t value, Instant time);

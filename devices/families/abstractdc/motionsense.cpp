@@ -25,51 +25,59 @@ double seconds(Duration duration)
 
 } // namespace
 
+std::int64_t MotionSense::countedOn(std::int32_t position) const
+{
+    if (m_seen.empty())
+        return position;
+    const std::int64_t last = m_seen.back().position;
+    return last + static_cast<std::int32_t>(static_cast<std::uint32_t>(position) - static_cast<std::uint32_t>(last));
+}
+
 MotionSense::Reading MotionSense::add(std::int32_t position, Instant time)
 {
-    const Seen seen{position, time};
-    const bool jumped = isJump(position, time);
-    if (jumped && !isWhereDoubted(position, time)) {
+    const Seen seen{countedOn(position), time};
+    const bool jumped = isJump(seen);
+    if (jumped && !isWhereDoubted(seen)) {
         m_doubtful = seen;
         ++m_glitches;
         return Reading::Glitch;
     }
-    const bool anew = isAnew(position, time);
+    const bool anew = isAnew(seen);
     if (jumped || anew)
         m_seen.clear();
     take(seen);
     return anew ? Reading::Anew : Reading::Taken;
 }
 
-bool MotionSense::isJump(std::int32_t position, Instant time) const
+bool MotionSense::isJump(const Seen &seen) const
 {
     if (m_seen.empty())
         return false;
     const Seen &last = m_seen.back();
-    const double speed = velocity(last.time).value_or(0.0);
-    const double expected = last.position + speed * seconds(time - last.time);
-    const double slack = glitchTolerance + std::abs(speed) * seconds(time - last.time);
-    const double off = std::abs(position - expected);
-    return std::abs(off - wrapLoss) < std::min(slack, 30000.0);
+    const double way = velocity(last.time).value_or(0.0) * seconds(seen.time - last.time);
+    const double off = std::abs(static_cast<double>(seen.position - last.position) - way);
+    return std::abs(off - wrapLoss) < std::min(glitchTolerance + std::abs(way), 30000.0);
 }
 
 /// A jump to another place than the one before is one more glitch.
-bool MotionSense::isWhereDoubted(std::int32_t position, Instant time) const
+bool MotionSense::isWhereDoubted(const Seen &seen) const
 {
     if (!m_doubtful)
         return false;
     const double speed = m_seen.empty() ? 0.0 : velocity(m_seen.back().time).value_or(0.0);
-    const double way = speed * seconds(time - m_doubtful->time);
-    return std::abs(position - (m_doubtful->position + way)) < glitchTolerance + std::abs(way);
+    const double way = speed * seconds(seen.time - m_doubtful->time);
+    return std::abs(static_cast<double>(seen.position - m_doubtful->position) - way) < glitchTolerance + std::abs(way);
 }
 
-bool MotionSense::isAnew(std::int32_t position, Instant time) const
+bool MotionSense::isAnew(const Seen &seen) const
 {
     if (m_seen.empty())
         return false;
     const Seen &last = m_seen.back();
-    const double reach = turnedAtOnce + 2.0 * m_fastest * seconds(time - last.time);
-    return Whereabouts::between(last.position, position, reach) == Restart::Seen;
+    const double reach = turnedAtOnce + 2.0 * m_fastest * seconds(seen.time - last.time);
+    const double told = static_cast<std::int32_t>(seen.position);
+    return Whereabouts::between(told - static_cast<double>(seen.position - last.position), told, reach)
+        == Restart::Seen;
 }
 
 void MotionSense::take(const Seen &seen)
@@ -98,12 +106,12 @@ std::optional<double> MotionSense::velocity(Instant now) const
     const double elapsed = seconds(last.time - first->time);
     if (elapsed <= 0.0)
         return std::nullopt;
-    return (static_cast<double>(last.position) - first->position) / elapsed;
+    return static_cast<double>(last.position - first->position) / elapsed;
 }
 
 std::optional<std::int32_t> MotionSense::position() const
 {
-    return m_seen.empty() ? std::nullopt : std::optional<std::int32_t>(m_seen.back().position);
+    return m_seen.empty() ? std::nullopt : std::optional(static_cast<std::int32_t>(m_seen.back().position));
 }
 
 bool MotionSense::standsSince(Instant since) const
@@ -112,7 +120,7 @@ bool MotionSense::standsSince(Instant since) const
         return false;
     const Seen &last = m_seen.back();
     for (auto seen = m_seen.rbegin(); seen != m_seen.rend() && seen->time > since; ++seen) {
-        if (std::abs(std::int64_t{seen->position} - last.position) > 1)
+        if (std::abs(seen->position - last.position) > 1)
             return false;
         if (last.time - seen->time >= velocityBase)
             return true;
@@ -126,7 +134,7 @@ bool MotionSense::isMoving(Instant now) const
         return false;
     const auto [low, high] = std::minmax_element(
         m_seen.begin(), m_seen.end(), [](const Seen &a, const Seen &b) { return a.position < b.position; });
-    return std::int64_t{high->position} - low->position > 2;
+    return high->position - low->position > 2;
 }
 
 } // namespace mb::abstractdc

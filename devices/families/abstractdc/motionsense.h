@@ -34,12 +34,13 @@ public:
 
 private:
     struct Seen {
-        std::int32_t position = 0;
+        std::int64_t position = 0; ///< counted on where the 32 bits of the drive wrap
         Instant time{};
     };
-    [[nodiscard]] bool isJump(std::int32_t position, Instant time) const;
-    [[nodiscard]] bool isWhereDoubted(std::int32_t position, Instant time) const;
-    [[nodiscard]] bool isAnew(std::int32_t position, Instant time) const;
+    [[nodiscard]] std::int64_t countedOn(std::int32_t position) const;
+    [[nodiscard]] bool isJump(const Seen &seen) const;
+    [[nodiscard]] bool isWhereDoubted(const Seen &seen) const;
+    [[nodiscard]] bool isAnew(const Seen &seen) const;
     void take(const Seen &seen);
 
     std::deque<Seen> m_seen; ///< of the last quarter of a second, two at least

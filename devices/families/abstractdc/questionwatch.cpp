@@ -92,6 +92,11 @@ bool QuestionWatch::isOf(int offset, const Dialect *dialect) const
     return asked;
 }
 
+bool QuestionWatch::hears(const Dialect &dialect) const
+{
+    return std::ranges::find(m_heard, &dialect) != m_heard.end();
+}
+
 bool QuestionWatch::isOpen(const Question &question) const
 {
     return std::ranges::any_of(m_book.open(), [&, now = m_clock.now()](const QuestionBook::Open &open) {

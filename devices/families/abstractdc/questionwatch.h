@@ -26,6 +26,8 @@ public:
     /// `dialect` nullptr: of a drive that was asked for the speed and by itself.
     [[nodiscard]] bool isOf(int offset, const Dialect *dialect) const;
 
+    /// Some drive was heard to speak it.
+    [[nodiscard]] bool hears(const Dialect &dialect) const;
     /// Somebody has asked this and may still be answered.
     [[nodiscard]] bool isOpen(const Question &question) const;
     /// Nobody else waits for an answer on this identifier.

@@ -299,7 +299,8 @@ void Controller::onFrame(const CanFrame &frame)
             onVersions(*second);
         break;
     case id::control: // our own frames do not come back
-        m_presence.commandedByOther(frame.time);
+        if (isMessage(frame, id::control, 8))
+            m_presence.commandedByOther(frame.time);
         break;
     default: break;
     }

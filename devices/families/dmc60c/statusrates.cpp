@@ -4,6 +4,8 @@
 #include "families/dmc60c/channels.h"
 #include "families/dmc60c/parameters.h"
 
+#include <QScopedValueRollback>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,6 +51,7 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
     else
         m_wanted.erase(*number);
     m_owed.erase(*number);
+    const QScopedValueRollback<std::optional<std::uint8_t>> setting(m_setting, *number);
     const Result<std::int64_t> inForce = co_await m_desk.write(row, periodFor(*number)).attempt();
     if (!inForce) {
         const bool mayHaveCome = inForce.error().fault == Fault::Timeout || inForce.error().fault == Fault::LinkLost;
@@ -100,9 +103,16 @@ void StatusRates::sendOwed(const UnitContact &contact)
 
 void StatusRates::told(const ParamResponse &response)
 {
-    if (m_owed.contains(response.parameter)
-        && (response.status != ParameterStatus::NoError || response.field == periodFor(response.parameter)))
-        settled(response.parameter);
+    const auto usual = m_usual.find(response.parameter);
+    if (usual == m_usual.end() || response.parameter == m_setting)
+        return;
+    const bool isRefused = response.status != ParameterStatus::NoError;
+    if (m_owed.contains(response.parameter)) {
+        if (isRefused || response.field == periodFor(response.parameter))
+            settled(response.parameter);
+    } else if (!isRefused && response.field != periodFor(response.parameter)) {
+        usual->second = response.field;
+    }
 }
 
 } // namespace mb::dmc60c

@@ -24,7 +24,7 @@ public:
     void forgotten();
     /// What is owed after that, or because no answer came, once a second until it is answered; waits for none.
     void sendOwed(const UnitContact &contact);
-    /// The unit has told a parameter.
+    /// The unit has told a parameter. A period that nobody here wished for is somebody's choice, which set() goes back to.
     void told(const ParamResponse &response);
 
 private:
@@ -37,6 +37,7 @@ private:
     std::map<std::uint8_t, std::uint32_t> m_usual;  ///< what set() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wanted; ///< by parameter, ms
     std::set<std::uint8_t> m_owed;                  ///< parameters
+    std::optional<std::uint8_t> m_setting;          ///< parameter that may still be told as it was before
     std::optional<Instant> m_sentAt;                ///< of what is owed
 };
 

@@ -6,6 +6,7 @@
 #include "families/dmc60c/states.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace mb::dmc60c {
 namespace {
@@ -14,6 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr int idleFramesNeeded = 2; ///< one may be a zero crossing of a closed loop
 constexpr Duration turningMemory = 500ms;
+constexpr int flicker = 1; ///< counts in 100 ms, of a shaft that stands on an edge of its encoder
 
 } // namespace
 
@@ -46,7 +48,7 @@ void StatusSense::take(const StatusEncoder &status, Instant time, bool heard)
         takeStates(m_told, status);
         m_toldAt = time;
     }
-    m_turning = status.velocity != 0;
+    m_turning = std::abs(status.velocity) > flicker;
     m_turningAt = time;
 }
 

@@ -62,6 +62,10 @@ Result<void> checkSetPoint(const SetPoint &setPoint)
     }
     if (!isWithin(setPoint.velocity, 0.0, fastest) || !isWithin(setPoint.acceleration, 0.0, steepest))
         return fail(Fault::OutOfRange, say("a profile has up to 100000 counts/s and 1000000 counts/s²"));
+    if (setPoint.mode == Mode::RampPosition && setPoint.velocity < 1.0 / limitOne) // 0 means nothing there
+        return fail(Fault::OutOfRange,
+            say("%1 %2 is outside %3 … %4 %5", "--velocity", setPoint.velocity, 1.0 / limitOne, 1.0 * fastest,
+                "counts/s"));
     return {};
 }
 

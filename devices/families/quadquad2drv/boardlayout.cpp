@@ -110,6 +110,14 @@ Task<bool> BoardLayout::resumeRate()
     co_return another;
 }
 
+void BoardLayout::chosen(ParameterIndex index, std::int64_t raw)
+{
+    if (m_before && index == indexOf(BoardParameter::StreamPeriod))
+        m_before->period = static_cast<std::uint16_t>(raw);
+    else if (m_before && index == indexOf(BoardParameter::StreamConfig))
+        m_before->config = static_cast<std::uint8_t>(raw);
+}
+
 Task<bool> BoardLayout::followWishes()
 {
     const double wished = m_wishes.highest();

@@ -3,6 +3,7 @@
 
 #include "async/turns.h"
 #include "families/quadquad2drv/packetport.h"
+#include "families/quadquad2drv/parameters.h"
 #include "telemetry/framerate.h"
 
 #include <functional>
@@ -36,6 +37,9 @@ public:
     [[nodiscard]] Task<bool> resumeRate();
     /// A reset has ended a rate that is still wished for, or nobody answered when one was set or put back; once.
     [[nodiscard]] bool takeOwedRate() { return std::exchange(m_rateOwed, false); }
+
+    /// A parameter that was written; period and configuration of the stream are what the last wish goes back to.
+    void chosen(ParameterIndex index, std::int64_t raw);
 
     /// Of every axis.
     [[nodiscard]] bool tellsEverything() const;

@@ -45,11 +45,13 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
     , m_sense(telemetry())
     , m_orders(clock, m_port, m_layout, [this] { stop(); })
     , m_drives(clock, *telemetry(), m_sense, m_settings, m_orders)
-    , m_stopProof(clock, m_port,
+    , m_stopProof(
+          clock, m_port,
           [this] { // takes the modes of all axes, and the settings; a bootloader that is written to would begin anew
               if (gate().busy().empty() && m_spi.pulseReset())
                   m_layout.forget();
-          })
+          },
+          [this] { m_orders.stopEnded(); })
     , m_received(m_port.received().add([this](const Packet &packet, Instant time) { onPacket(packet, time); }))
     , m_state(link.stateChanged().add([this](LinkState) { look(); }))
     , m_poll(clock)
@@ -256,6 +258,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     if (!reply)
         co_return fail(reply.error().about(row.key));
     m_settings.accepted(index, raw);
+    m_layout.chosen(index, raw);
     if (ofAxis && which == AxisParameter::DataMask) {
         DataMasks masks = m_port.masks(); // told, and so no sign of a reset
         masks[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(raw);

@@ -46,19 +46,30 @@ void OrderQueue::stop()
 {
     clear();
     ++m_stops;
+    m_stopping = true;
     m_failure.reset();
+}
+
+void OrderQueue::stopEnded()
+{
+    m_stopping = false;
+    if (isWaiting())
+        begin();
+}
+
+bool OrderQueue::isWaiting() const
+{
+    return std::ranges::any_of(m_slots, [](const Slot &slot) { return !slot.entry.empty() || slot.target; });
 }
 
 void OrderQueue::begin()
 {
     m_layout.noteChange();
-    if (std::exchange(m_working, true))
+    if (m_stopping || std::exchange(m_working, true))
         return;
     m_scope.spawn<void>(work(), [this](const Result<void> &) {
         m_working = false;
-        const bool isWaiting
-            = std::ranges::any_of(m_slots, [](const Slot &slot) { return !slot.entry.empty() || slot.target; });
-        if (isWaiting) // of a motion that began since a stop
+        if (isWaiting()) // of a motion that began since a stop
             begin();
     });
 }
@@ -87,7 +98,7 @@ std::optional<OrderQueue::Order> OrderQueue::take()
 /// An order that the board does not take ends the motion. A stop ends what is under way.
 Task<void> OrderQueue::work()
 {
-    while (std::optional<Order> next = take()) {
+    while (std::optional<Order> next = m_stopping ? std::nullopt : take()) {
         const std::uint64_t stops = m_stops;
         const Result<void> obeyed = co_await obey(std::move(next->request)).attempt();
         if (obeyed && next->accepted)
@@ -96,7 +107,6 @@ Task<void> OrderQueue::work()
             continue;
         m_failed();
         m_failure = obeyed.error();
-        co_return fail(obeyed.error());
     }
     co_return {};
 }

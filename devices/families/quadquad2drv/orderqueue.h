@@ -11,7 +11,7 @@ namespace mb::quadquad2drv {
 
 /// The requests of set-points on their way to the board, one after the other, each accepted before the next. What an axis (0…3) is
 /// told anew takes the place of what waits for it, and the axes take turns, so that none is further behind than one order of each.
-/// Engine thread.
+/// What is ordered behind a stop waits until that is proven: what asks for the proof switches all axes off (StopProof). Engine thread.
 class OrderQueue {
 public:
     struct Order {
@@ -28,8 +28,10 @@ public:
     void aim(int axis, Bytes target);
     /// The board will tell everything, where it does not.
     void learn();
-    /// Nothing that was ordered before is sent any more, not even again.
+    /// Nothing that was ordered before is sent any more, not even again; and nothing at all until stopEnded().
     void stop();
+    /// Nobody asks for its proof any more.
+    void stopEnded();
     /// The board was reset.
     void clear() { m_slots = {}; }
     /// What ended the motion; told once.
@@ -41,6 +43,7 @@ private:
         std::optional<Bytes> target;
     };
     void begin();
+    [[nodiscard]] bool isWaiting() const;
     [[nodiscard]] std::optional<Order> take();
     [[nodiscard]] Task<void> work();
     [[nodiscard]] Task<void> obey(Bytes order);
@@ -51,6 +54,7 @@ private:
     std::array<Slot, axes> m_slots;
     std::size_t m_turn = 0; ///< axis that comes next
     bool m_working = false;
+    bool m_stopping = false; ///< since stop()
     bool m_learning = false;
     std::uint64_t m_stops = 0;
     std::optional<Error> m_failure;

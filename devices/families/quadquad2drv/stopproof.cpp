@@ -15,10 +15,11 @@ constexpr int triesBeforeReset = 2; ///< each of 100 ms, and as long again for a
 
 } // namespace
 
-StopProof::StopProof(Clock &clock, PacketPort &port, std::function<void()> reset)
+StopProof::StopProof(Clock &clock, PacketPort &port, std::function<void()> reset, std::function<void()> ended)
     : m_clock(clock)
     , m_port(port)
     , m_reset(std::move(reset))
+    , m_ended(std::move(ended))
     , m_scope(clock)
 {
 }
@@ -31,7 +32,10 @@ void StopProof::begin()
         m_resetTried = false;
     }
     (void)m_port.urgent(setControlMode(allAxes, ControlMode::Off));
-    m_scope.spawn<void>(confirm());
+    m_scope.spawn<void>(confirm(), [this, stops = m_stops](const Result<void> &) {
+        if (stops == m_stops)
+            m_ended();
+    });
 }
 
 /// Answered twice in a row: the first may be the late answer to an order from before the stop. A stop that is repeated does

@@ -12,8 +12,9 @@ namespace mb::quadquad2drv {
 /// (README.md#stopping). Engine thread.
 class StopProof {
 public:
-    /// The port outlives it; `reset` pulls the line where there is one and the board may be reset now.
-    StopProof(Clock &clock, PacketPort &port, std::function<void()> reset);
+    /// The port outlives it; `reset` pulls the line where there is one and the board may be reset now, `ended` is told when it is confirmed
+    /// and when nobody is asked any more.
+    StopProof(Clock &clock, PacketPort &port, std::function<void()> reset, std::function<void()> ended);
 
     void begin();
     /// Since begin().
@@ -25,6 +26,7 @@ private:
     Clock &m_clock;
     PacketPort &m_port;
     std::function<void()> m_reset;
+    std::function<void()> m_ended;
     int m_unanswered = 0; ///< in a row, since one was confirmed
     bool m_resetTried = false;
     bool m_confirmed = false;

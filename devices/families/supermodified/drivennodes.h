@@ -22,6 +22,7 @@ public:
 
     void set(int node, bool driven);
     [[nodiscard]] bool any() const { return !m_driven.empty(); }
+    [[nodiscard]] bool has(int node) const { return m_driven.contains(node); }
 
     /// A node that was driven is told to stop.
     void leaderStopped(int node);

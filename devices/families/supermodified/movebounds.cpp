@@ -37,10 +37,11 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
 {
     const double fastest = isNarrow() ? fastestProfile : widest;
     const double steepest = m_node.dialect == Dialect::D1 ? narrowest : widest;
-    if (auto good = checkNumber("--velocity", setPoint.velocity, 0.0, fastest, "counts/s"); !good)
-        return good;
-    if (auto good = checkNumber("--acceleration", setPoint.acceleration, 0.0, steepest, "counts/s²"); !good)
-        return good;
+    const auto legal = [](std::string_view name, double value, double most, std::string_view unit) {
+        return value == 0.0 ? Result<void>() : checkNumber(name, value, 1.0, most, unit); // 0 leaves what it has
+    };
+    MB_TRY_VOID(legal("--velocity", setPoint.velocity, fastest, "counts/s"));
+    MB_TRY_VOID(legal("--acceleration", setPoint.acceleration, steepest, "counts/s²"));
     if (setPoint.mode != Mode::RampPosition || !isNarrow() || (velocity(setPoint) && acceleration(setPoint)))
         return {};
     return fail(Fault::Unsafe, say("its profile is not known, so a move that passes its target could not be told"),

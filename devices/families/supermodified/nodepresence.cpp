@@ -68,7 +68,10 @@ void NodePresence::overhear(const Frame &frame)
 {
     const CommandForm *const message = messageOf(frame.command);
     const bool forUs = frame.to == m_node.id || frame.to == broadcastId;
-    if (!forUs || frame.from == m_line.roster().hostId() || message == nullptr || !message->control)
+    if (!forUs || frame.from == m_line.roster().hostId() || message == nullptr)
+        return;
+    const bool undoes = (frame.is(Command::Stop) || frame.is(Command::GlobalStop)) && m_line.driven().has(m_node.id);
+    if (!message->control && !undoes)
         return;
     m_owner.commanded();
     m_foreign.startIn(foreignMemory, [this] { m_owner.changed(); });

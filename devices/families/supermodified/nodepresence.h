@@ -14,7 +14,7 @@ namespace mb::supermodified {
 class NodePresence {
 public:
     struct Owner {
-        std::function<void()> commanded; ///< somebody else has sent it a command
+        std::function<void()> commanded; ///< somebody else has sent it a command, or stopped it while it is driven
         std::function<void()> changed;   ///< hasForeignMaster() is another
     };
 
