@@ -139,8 +139,12 @@ QString envelopeWords(const Envelope &envelope)
         parts << ReportText::tr("speed %1").arg(figure(*envelope.speed, 6, QStringLiteral("counts/s")));
     if (envelope.current)
         parts << ReportText::tr("current %1").arg(figure(*envelope.current, 3, QStringLiteral("A")));
-    if (envelope.duty)
-        parts << ReportText::tr("duty %1").arg(figure(*envelope.duty * 100.0, 3, QStringLiteral("%")));
+    if (envelope.duty) {
+        const QString duty = figure(*envelope.duty * 100.0, 3, QStringLiteral("%"));
+        parts << (envelope.current ? ReportText::tr("duty %1")
+                                   : ReportText::tr("duty %1, which stands in for a limit of current"))
+                     .arg(duty);
+    }
     return parts.join(QStringLiteral(", "));
 }
 
