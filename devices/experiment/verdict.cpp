@@ -177,7 +177,7 @@ void nameEnding(Trial &trial, const Ending &ending)
 
 std::string_view endingLabel(std::string_view reason)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> labels{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> labels{{
         {"travel", MB_LABEL("travel")},
         {"speed", MB_LABEL("speed")},
         {"current", MB_LABEL("current")},
@@ -197,6 +197,7 @@ std::string_view endingLabel(std::string_view reason)
         {"foreign master", MB_LABEL("foreign master")},
         {"unguarded", MB_LABEL("missing guardian")},
         {"refused", MB_LABEL("refusal")},
+        {"unconfirmed", MB_LABEL("stop not confirmed")},
         {"interrupted", MB_LABEL("interrupted")},
         {"done", MB_LABEL("done")},
     }};

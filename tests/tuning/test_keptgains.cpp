@@ -203,5 +203,24 @@ TEST(Tuning, EndsWhereTheStopOfATrialIsNotConfirmed)
     EXPECT_EQ(std::count_if(tuned.bench.notes.begin(), tuned.bench.notes.end(), isPush), 1) << "nothing follows it";
 }
 
+/// A load drives it on when the first push ends; nobody else commands it, and it is heard.
+TEST(Tuning, IsStoppedWhereItsMotorIsHeardAndNotSeenToStand)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    SetPointStream &stream = bench.bench.session.stream(*bench.device);
+    bool ran = false;
+    const Subscription ending = stream.changed().add([&] {
+        if (std::exchange(ran, stream.isRunning()) && !stream.isRunning())
+            bench.simulator()->disturb("load-torque", -0.5);
+    });
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.propose = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_FALSE(report->stopped);
+    EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
+    EXPECT_EQ(report->stopReason, "unconfirmed");
+}
+
 } // namespace
 } // namespace mb::tuning
