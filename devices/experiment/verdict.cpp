@@ -30,6 +30,7 @@ constexpr double beforeStep = 0.25; ///< s
 /// One response, or those of all repeats together.
 struct Reading {
     Response response;
+    bool isWhole = false; ///< of one that was not cut short
     std::vector<Metrics> runs;
 };
 
@@ -55,6 +56,7 @@ Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spa
     if (traces.empty())
         return reading;
     const auto repeats = static_cast<int>(traces.size());
+    reading.isWhole = true;
     reading.response = readResponse(merged(traces), target, leastMove, repeats);
     return reading;
 }
@@ -97,10 +99,9 @@ void addFlag(Trial &trial, std::string_view name, bool holds)
         trial.flags.emplace_back(name);
 }
 
-void addFlags(Trial &trial, const Family &family, const Response &response, const Response &back, const Trace &measured)
+void addFlags(Trial &trial, const Family &family, const Reading &reading, const Reading &back, const Trace &measured)
 {
     const double swing = std::abs(trial.stimulus.to - trial.stimulus.from);
-    const bool steps = !trial.stimulus.edges().empty();
     addFlag(trial, flag::saturated, trial.metrics.saturated.value_or(0.0) > notable);
     addFlag(trial, flag::currentLimit,
         trial.envelope.current && trial.metrics.peakCurrent.value_or(0.0) >= nearlyAll * *trial.envelope.current);
@@ -109,10 +110,11 @@ void addFlags(Trial &trial, const Family &family, const Response &response, cons
     const double resolution = resolutionOf(measured);
     addFlag(
         trial, flag::lowResolution, trial.mode != Mode::Duty && resolution > 0.0 && swing < leastLevels * resolution);
-    const auto up = response.metrics.rise;
-    const auto down = back.metrics.rise;
+    const auto up = reading.response.metrics.rise;
+    const auto down = back.response.metrics.rise;
     addFlag(trial, flag::asymmetric, up && down && std::abs(*up - *down) > unlike * std::max(*up, *down));
-    addFlag(trial, flag::didNotMove, steps && !response.moved && !measured.isEmpty());
+    const bool still = reading.isWhole && !reading.response.moved && !measured.isEmpty();
+    addFlag(trial, flag::didNotMove, still || trial.reason == toString(Guard::NoMotion));
 }
 
 std::vector<Span> spansOf(const Spans &spans, Instant zero)
@@ -242,7 +244,7 @@ void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, 
     trial.holds = spansOf(holds, zero);
     trial.returns = spansOf(returns, zero);
     trial.signals = recorder.signals(zero, within);
-    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero, within));
+    addFlags(trial, family, reading, back, recorder.trace(key, zero, within));
 }
 
 } // namespace mb::tuning
