@@ -39,7 +39,7 @@ QString verdictHtml(const TuneReport &report)
     case TuneResult::Kept: return strong(ReportText::tr("Kept"), "ok");
     case TuneResult::Proposed: return strong(ReportText::tr("Proposed, nothing was written"), "accent");
     case TuneResult::RolledBack:
-        return strong(replacesUnknown(report) ? ReportText::tr("Not kept") : ReportText::tr("Put back"), "caution");
+        return strong(isPutBack(report) ? ReportText::tr("Put back") : ReportText::tr("Not kept"), "caution");
     case TuneResult::Refused: return strong(ReportText::tr("Refused"), "caution");
     case TuneResult::Stopped: return strong(ReportText::tr("Stopped"), "danger");
     }

@@ -170,9 +170,10 @@ const JsonFields<TuneReport> jsonFields<TuneReport>{{"seconds", &TuneReport::sec
     {"stopped", &TuneReport::stopped}, {"stop_reason", &TuneReport::stopReason}, {"motor", &TuneReport::motor},
     {"plant", &TuneReport::plant}, {"gates", &TuneReport::gates}, {"proposals", &TuneReport::proposals},
     {"proposed", &TuneReport::proposed}, {"measured", &TuneReport::measured}, {"trials", &TuneReport::trials},
-    {"scale", &TuneReport::scale, ifSet}, {"design", &TuneReport::design, ifSet},
-    {"margins", &TuneReport::margins, ifSet}, {"predicted", &TuneReport::predicted, ifSet},
-    {"profile", &TuneReport::profile, ifSet}, {"before", beforeToJson, readBefore}, {"proof", proofToJson, readProof}};
+    {"not_put_back", &TuneReport::notPutBack, ifSet}, {"scale", &TuneReport::scale, ifSet},
+    {"design", &TuneReport::design, ifSet}, {"margins", &TuneReport::margins, ifSet},
+    {"predicted", &TuneReport::predicted, ifSet}, {"profile", &TuneReport::profile, ifSet},
+    {"before", beforeToJson, readBefore}, {"proof", proofToJson, readProof}};
 
 QJsonObject toJson(const TuneReport &report)
 {

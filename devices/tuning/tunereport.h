@@ -75,5 +75,7 @@ struct TuneReport {
 
 /// Nobody knows what its gains replaced, so that nothing can put it back, and nothing is owed.
 [[nodiscard]] bool replacesUnknown(const TuneReport &report);
+/// What was there before is in force again where nothing was kept.
+[[nodiscard]] bool isPutBack(const TuneReport &report);
 
 } // namespace mb::tuning

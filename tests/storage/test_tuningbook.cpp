@@ -79,6 +79,7 @@ protected:
         report.profile = normal.profile;
         report.before = {{"slot0.p", 1.165}, {"slot0.d", std::nullopt}};
         report.measured.overshoot = 0.013;
+        report.notPutBack = say("slot0.p was not written");
         report.seconds = 38.2;
         report.trials = {1, 2};
         return report;
@@ -134,6 +135,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_FALSE(back.gates[1].warns);
     EXPECT_EQ(back.gates[1].remedy, "go faster");
     EXPECT_EQ(back.before, kept.before);
+    EXPECT_EQ(back.notPutBack, kept.notPutBack);
     EXPECT_EQ(back.measured, kept.measured);
     EXPECT_EQ(back.trials, kept.trials);
     ASSERT_EQ(back.proposals.size(), 1U);

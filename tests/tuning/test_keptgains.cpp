@@ -62,6 +62,7 @@ TEST(KeptGains, ThatCouldNotBeWrittenAreRolledBackAndOwedWhereTheUnitIsGone)
     const TuneReport report = std::move(*tuned.task.result());
     EXPECT_NE(report.result, TuneResult::Kept);
     EXPECT_FALSE(report.notPutBack.empty());
+    EXPECT_FALSE(isPutBack(report));
     EXPECT_EQ(tuned.owed("slot0.p"), tuned.before);
 }
 
@@ -81,6 +82,7 @@ TEST(KeptGains, ThatCouldNotAllBeWrittenAreTakenBack)
     const TuneReport report = std::move(*tuned.task.result());
     EXPECT_EQ(report.result, TuneResult::RolledBack) << report.evidence.english();
     EXPECT_TRUE(report.notPutBack.empty()) << report.notPutBack.english();
+    EXPECT_TRUE(isPutBack(report));
     EXPECT_EQ(rawOf(tuned.bench, "slot0.p"), tuned.before);
     EXPECT_TRUE(tuned.bench.journal.owed.empty());
 }
