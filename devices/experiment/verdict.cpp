@@ -207,6 +207,24 @@ std::string_view endingLabel(std::string_view reason)
     return row == labels.end() ? std::string_view() : row->second;
 }
 
+std::string_view flagLabel(std::string_view flag)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> labels{{
+        {flag::saturated, MB_LABEL("saturated")},
+        {flag::currentLimit, MB_LABEL("current limit")},
+        {flag::rampLimit, MB_LABEL("ramp")},
+        {flag::limitSwitch, MB_LABEL("limit switch")},
+        {flag::lostSamples, MB_LABEL("samples lost")},
+        {flag::aborted, MB_LABEL("stopped")},
+        {flag::lowResolution, MB_LABEL("coarse")},
+        {flag::asymmetric, MB_LABEL("not symmetric")},
+        {flag::didNotMove, MB_LABEL("did not move")},
+        {flag::restartNeeded, MB_LABEL("restart needed")},
+    }};
+    const auto row = std::ranges::find_if(labels, [&](const auto &entry) { return entry.first == flag; });
+    return row == labels.end() ? flag : row->second;
+}
+
 void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds,
     const Spans &returns, const Span &within)
 {

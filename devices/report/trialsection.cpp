@@ -2,6 +2,7 @@
 #include "report/trialsection.h"
 
 #include "experiment/envelope.h"
+#include "experiment/verdict.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "report/htmltext.h"
@@ -179,8 +180,11 @@ QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &r
     ending += QStringLiteral(" · ")
         + (trial.stopped ? ReportText::tr("motor seen stopped") : ReportText::tr("stop not confirmed"))
         + QStringLiteral(" · ") + ReportText::tr("%1 samples, %2 lost").arg(trial.samples).arg(trial.lost);
-    for (const std::string &flag : trial.flags)
-        ending += QStringLiteral(" · ") + strong(escaped(flag), "caution");
+    for (const std::string &flag : trial.flags) {
+        const QString word = worded(report.phrase, Message::label(tuning::flagLabel(flag)));
+        if (flag != tuning::flag::aborted) // that was said
+            ending += QStringLiteral(" · ") + strong(escaped(word), "caution");
+    }
     html += paragraph(ending);
     if (const QString plot = plotOf(kept); !plot.isEmpty())
         html += QStringLiteral("<div>") + plot + QStringLiteral("</div>\n");

@@ -39,14 +39,11 @@ JsonFields<T> numbers(std::initializer_list<std::pair<const char *, double T::*>
     return fields;
 }
 
-constexpr std::array<std::string_view, 5> boundNames{
-    "delay", "derivative noise", "largest error", "margin", "peak current"};
-
 bool readBounds(const QJsonValue &json, Design &design)
 {
     for (const QJsonValue value : json.toArray()) {
-        const auto known = std::ranges::find(boundNames, value.toString().toStdString());
-        if (known != boundNames.end())
+        const auto known = std::ranges::find(designBounds, value.toString().toStdString());
+        if (known != designBounds.end())
             design.bounds.push_back(*known);
     }
     return json.isArray();

@@ -64,7 +64,7 @@ protected:
         report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}, true},
             {"resolution", say("12 counts"), false, say("go faster")}};
         Proposal normal;
-        normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"delay", "margin"}};
+        normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"largest error", "margin"}};
         normal.gains.rows = {{"slot0.p", 38083, 0.5811}, {"slot0.i", 113, 0.001724}};
         normal.gains.made = {1e-5, 2e-4, 0.0, 0.0};
         normal.margins = {1.44, std::numeric_limits<double>::infinity(), 67.0, 4.0};

@@ -173,7 +173,7 @@ void TestDesignPage::whatHoldsTheSlidersBackIsSaid()
     bench.page->chooseOwn(0.3, 1.6);
     QVERIFY2(bench.own()->boundText().isEmpty(), qPrintable(bench.own()->boundText()));
     bench.page->chooseOwn(0.005, 1.3);
-    QVERIFY2(bench.own()->boundText().contains(boundWord("margin")), qPrintable(bench.own()->boundText()));
+    QVERIFY2(bench.own()->boundText().contains(QStringLiteral("margin")), qPrintable(bench.own()->boundText()));
 }
 
 void TestDesignPage::anotherSlotHasTheSameProposalsUnderItsOwnKeys()
