@@ -3,67 +3,24 @@
 
 #include "app/console/table.h"
 #include "app/console/target.h"
+#include "report/metricwords.h"
 #include "storage/trialfile.h"
 #include "storage/trialjson.h"
-
-#include <QDateTime>
-
-#include <array>
-#include <cmath>
 
 namespace mb::console {
 namespace {
 
 using tuning::Trial;
 
-struct Shown {
-    const char *label;
-    std::string_view key;
-    double scale;
-    const char *unit;
-};
-
-constexpr std::array<Shown, 11> shownMetrics{{
-    {"rise", "rise", 1e3, "ms"},
-    {"settle 2 %", "settle", 1e3, "ms"},
-    {"overshoot", "overshoot", 100.0, "%"},
-    {"undershoot of the return", "undershoot", 100.0, "%"},
-    {"steady-state error", "sse", 100.0, "%"},
-    {"IAE", "iae", 1.0, "s"},
-    {"ITAE", "itae", 1.0, "s²"},
-    {"peak current", "peak_current", 1.0, "A"},
-    {"duty chatter, RMS", "rms_duty", 100.0, "%"},
-    {"saturated", "saturated", 100.0, "%"},
-    {"noise", "noise", 100.0, "%"},
-}};
-
-std::string list(const std::vector<std::string> &words)
-{
-    std::string text;
-    for (const std::string &word : words)
-        text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 void printMetrics(Output &out, const Trial &trial)
 {
     Table table({"metric", "value", "±", "unit"});
-    for (const Shown &row : shownMetrics) {
-        for (const tuning::MetricKey &key : tuning::metricKeys()) {
-            if (key.key != row.key)
-                continue;
-            const auto value = trial.metrics.*key.value;
-            const auto error = trial.errors.*key.value;
-            table.add(
-                {row.label, value ? brief(*value * row.scale) : "", error ? brief(*error * row.scale) : "", row.unit});
-        }
+    for (const tuning::MetricKey &key : tuning::metricKeys()) {
+        const auto text = [&key](std::optional<double> value) { return value ? brief(*value * key.scale) : ""; };
+        table.add({metricWords(key.key).name.toStdString(), text(trial.metrics.*key.value),
+            text(trial.errors.*key.value), std::string(key.unit)});
     }
     table.print(out);
-}
-
-std::string timeOf(const KeptTrial &kept)
-{
-    return QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3)).toString(Qt::ISODate).toStdString();
 }
 
 std::string stimulusOf(const Trial &trial)
@@ -83,7 +40,7 @@ void printTrial(Console &console, const Trial &trial, std::optional<std::int64_t
     printMetrics(console.out(), trial);
     console.out().line((number ? "trial " + std::to_string(*number) + ": " : std::string()) + trial.reason
         + (trial.stopped ? ", stopped" : ", stop not confirmed") + ", " + std::to_string(trial.samples) + " samples, "
-        + std::to_string(trial.lost) + " lost" + (trial.flags.empty() ? "" : ", " + list(trial.flags))
+        + std::to_string(trial.lost) + " lost" + (trial.flags.empty() ? "" : ", " + flagsOf(trial))
         + (trial.simulated ? ", simulated" : ""));
 }
 

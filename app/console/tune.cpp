@@ -118,18 +118,22 @@ Result<int> verdictOf(const TuneReport &report)
     if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
         return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", report.stopReason, report.evidence),
             say("remove the cause before it is run again"));
-    if (report.result == TuneResult::Stopped && !report.notPutBack.empty())
-        return fail(Fault::Unsafe, say("the tuning was interrupted: %1", report.evidence),
-            replacesUnknown(report) ? say("run it again, or write gains that hold")
-                                    : say("run it again with --yes, which puts them back first"));
+    const auto remedy = [&report](Message usual) {
+        return report.notPutBack.empty() ? std::move(usual)
+            : replacesUnknown(report)    ? say("run it again, or write gains that hold")
+                                         : say("run it again with --yes, which puts them back first");
+    };
     if (report.result == TuneResult::Stopped)
-        return fail(Fault::Unsafe, say("the tuning was interrupted; the gains are as before"), say("run it again"));
+        return fail(Fault::Unsafe,
+            report.notPutBack.empty() ? say("the tuning was interrupted; the gains are as before")
+                                      : say("the tuning was interrupted: %1", report.evidence),
+            remedy(say("run it again")));
     if (report.result == TuneResult::RolledBack)
         return fail(Fault::Refused, say("no gains were kept: %1", report.evidence),
-            say("look at its trials, try another --aim, or tune by hand with 'motorbenchctl step'"));
+            remedy(say("look at its trials, try another --aim, or tune by hand with 'motorbenchctl step'")));
     if (report.result == TuneResult::Refused)
         return fail(Fault::Refused, say("refused: %1", report.evidence),
-            say("remove the cause, or tune by hand with 'motorbenchctl step'"));
+            remedy(say("remove the cause, or tune by hand with 'motorbenchctl step'")));
     return exitDone;
 }
 

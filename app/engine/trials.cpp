@@ -137,9 +137,11 @@ void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Re
         if (trial.reason == "done" && !trial.notPutBack.empty())
             return Verdict{
                 Severity::Caution, say("%1: the gains were not put back: %2", nameOf(trial), trial.notPutBack)};
-        return trial.reason == "done"
-            ? Verdict{Severity::Good, say("%1: %2", nameOf(trial), resultOf(trial))}
-            : Verdict{Severity::Danger, say("%1 was stopped: %2, %3", nameOf(trial), trial.reason, trial.detail)};
+        if (trial.reason == "done")
+            return Verdict{Severity::Good, say("%1: %2", nameOf(trial), resultOf(trial))};
+        return Verdict{Severity::Danger,
+            say("%1 was stopped: %2, %3", nameOf(trial), Message::label(tuning::endingLabel(trial.reason)),
+                trial.detail)};
     };
     run(order.device, story, finished);
 }

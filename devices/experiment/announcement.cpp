@@ -99,6 +99,9 @@ Message textOf(const Extent &extent)
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
     const Trial &trial, double origin)
 {
+    if (plan.limits.current && !trial.envelope.current)
+        surroundings.caution(
+            say("the unit tells no current in ampere: the duty limit stands in for %1 A", *plan.limits.current));
     if (!surroundings.note)
         return;
     announceDirection(device, surroundings, plan, trial);

@@ -23,7 +23,8 @@ struct Extent {
 /// In a sentence, rounded up to two figures.
 [[nodiscard]] Message textOf(const Extent &extent);
 
-/// Says it before the motor moves; the check of its direction, where that comes first, too.
+/// Says it before the motor moves; the check of its direction, where that comes first, too, and a limit of current that was given and
+/// that nobody can hold.
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
     const Trial &trial, double origin);
 

@@ -9,6 +9,11 @@ namespace {
 
 constexpr std::array<double, 5> sizes{0.2, 0.4, 0.6, 0.8, 1.0}; ///< of the largest step
 
+bool neverSettled(const Metrics &metrics)
+{
+    return metrics.overshoot && !metrics.settle && metrics.noise.value_or(0.0) <= unreadableNoise;
+}
+
 } // namespace
 
 Battery batteryOf(const ExperimentPlan &largest, double here, bool counted)
@@ -38,10 +43,13 @@ BatteryWorst worstOf(std::span<const Trial> trials)
         std::optional<double> &value = worst.metrics.*keys[key].value;
         for (std::size_t i = 0; i < trials.size(); ++i) {
             const auto &one = trials[i].metrics.*keys[key].value;
-            if (one && (!value || std::abs(*one) > std::abs(*value))) {
+            const bool isNever = keys[key].value == &Metrics::settle && neverSettled(trials[i].metrics);
+            if (isNever || (one && (!value || std::abs(*one) > std::abs(*value)))) {
                 value = one;
                 worst.where[key] = i;
             }
+            if (isNever)
+                break;
         }
     }
     return worst;

@@ -19,7 +19,7 @@ struct Battery {
 /// step counts from its own start (Capabilities::zeroPosition).
 [[nodiscard]] Battery batteryOf(const ExperimentPlan &largest, double here, bool counted);
 
-/// Of each metric the worst of the trials, and which trial it was.
+/// Of each metric the worst of the trials, and which trial it was: of the time to settle one that did not settle, which has none.
 struct BatteryWorst {
     Metrics metrics;
     std::array<std::optional<std::size_t>, 11> where; ///< in the order of metricKeys()

@@ -41,7 +41,8 @@ struct EnvelopeFacts {
 [[nodiscard]] Envelope limitsFrom(const QJsonObject &object);
 
 /// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
-/// the rest. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.
+/// the rest. Without a scale of its current nothing bounds that, and the duty limit stands in. OutOfRange, naming what must be
+/// given, where travel or duty (speed, in a velocity loop) are not known.
 [[nodiscard]] Result<Envelope> resolve(
     const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own);
 

@@ -12,12 +12,11 @@ namespace mb::tuning {
 namespace {
 
 constexpr double band = 0.02;
-constexpr double tailFrom = 0.75;    ///< of all the time, from which on it is where it ends
-constexpr double quiet = 1e-3;       ///< σ of the step below which nothing is smoothed
-constexpr double unreadable = 0.015; ///< σ above which one run tells no settling time …
-constexpr double muchNoise = 0.05;   ///< σ with which one sample says little
+constexpr double tailFrom = 0.75;  ///< of all the time, from which on it is where it ends
+constexpr double quiet = 1e-3;     ///< σ of the step below which nothing is smoothed
+constexpr double muchNoise = 0.05; ///< σ with which one sample says little
 constexpr int manyRepeats = 6;
-constexpr int enoughRepeats = 4;       ///< … but as many do
+constexpr int enoughRepeats = 4;       ///< that tell a settling time in unreadableNoise
 constexpr double fewSamples = 1.6;     ///< periods either side: where it is steep, or without noise
 constexpr double manySamples = 4.2;    ///< where it is flat
 constexpr double riseTime = 0.35;      ///< of the rise to a half, over which noise is taken out of it
@@ -311,7 +310,7 @@ Response readResponse(const Trace &measured, std::optional<double> target, doubl
         if (low && high)
             metrics.rise = *high - *low;
         metrics.overshoot = overshootOf(normal);
-        if (normal.sigma <= unreadable || repeats >= enoughRepeats)
+        if (normal.sigma <= unreadableNoise || repeats >= enoughRepeats)
             metrics.settle = settleOf(normal, response.band);
     }
     if (target) {

@@ -64,6 +64,7 @@ struct Response {
 
 /// Of the step, in which a velocity has settled that is counted over so few edges that one of them leaves a narrower band.
 constexpr double wideBand = 0.05;
+constexpr double unreadableNoise = 0.015; ///< σ, as Metrics::noise, above which one run tells no settling time
 /// Seconds from t = 0 until `response`, on its way from 0 to `target`, stays within wideBand; nothing where it does not.
 [[nodiscard]] std::optional<double> settledWidely(const Trace &response, double target);
 

@@ -30,6 +30,7 @@ constexpr double beforeStep = 0.25; ///< s
 /// One response, or those of all repeats together.
 struct Reading {
     Response response;
+    bool isWhole = false; ///< of one that was not cut short
     std::vector<Metrics> runs;
 };
 
@@ -55,6 +56,7 @@ Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spa
     if (traces.empty())
         return reading;
     const auto repeats = static_cast<int>(traces.size());
+    reading.isWhole = true;
     reading.response = readResponse(merged(traces), target, leastMove, repeats);
     return reading;
 }
@@ -97,10 +99,9 @@ void addFlag(Trial &trial, std::string_view name, bool holds)
         trial.flags.emplace_back(name);
 }
 
-void addFlags(Trial &trial, const Family &family, const Response &response, const Response &back, const Trace &measured)
+void addFlags(Trial &trial, const Family &family, const Reading &reading, const Reading &back, const Trace &measured)
 {
     const double swing = std::abs(trial.stimulus.to - trial.stimulus.from);
-    const bool steps = !trial.stimulus.edges().empty();
     addFlag(trial, flag::saturated, trial.metrics.saturated.value_or(0.0) > notable);
     addFlag(trial, flag::currentLimit,
         trial.envelope.current && trial.metrics.peakCurrent.value_or(0.0) >= nearlyAll * *trial.envelope.current);
@@ -109,10 +110,11 @@ void addFlags(Trial &trial, const Family &family, const Response &response, cons
     const double resolution = resolutionOf(measured);
     addFlag(
         trial, flag::lowResolution, trial.mode != Mode::Duty && resolution > 0.0 && swing < leastLevels * resolution);
-    const auto up = response.metrics.rise;
-    const auto down = back.metrics.rise;
+    const auto up = reading.response.metrics.rise;
+    const auto down = back.response.metrics.rise;
     addFlag(trial, flag::asymmetric, up && down && std::abs(*up - *down) > unlike * std::max(*up, *down));
-    addFlag(trial, flag::didNotMove, steps && !response.moved && !measured.isEmpty());
+    const bool still = reading.isWhole && !reading.response.moved && !measured.isEmpty();
+    addFlag(trial, flag::didNotMove, still || trial.reason == toString(Guard::NoMotion));
 }
 
 std::vector<Span> spansOf(const Spans &spans, Instant zero)
@@ -177,7 +179,7 @@ void nameEnding(Trial &trial, const Ending &ending)
 
 std::string_view endingLabel(std::string_view reason)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 21> labels{{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> labels{{
         {"travel", MB_LABEL("travel")},
         {"speed", MB_LABEL("speed")},
         {"current", MB_LABEL("current")},
@@ -197,11 +199,30 @@ std::string_view endingLabel(std::string_view reason)
         {"foreign master", MB_LABEL("foreign master")},
         {"unguarded", MB_LABEL("missing guardian")},
         {"refused", MB_LABEL("refusal")},
+        {"unconfirmed", MB_LABEL("stop not confirmed")},
         {"interrupted", MB_LABEL("interrupted")},
         {"done", MB_LABEL("done")},
     }};
     const auto row = std::ranges::find_if(labels, [&](const auto &entry) { return entry.first == reason; });
     return row == labels.end() ? std::string_view() : row->second;
+}
+
+std::string_view flagLabel(std::string_view flag)
+{
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> labels{{
+        {flag::saturated, MB_LABEL("saturated")},
+        {flag::currentLimit, MB_LABEL("current limit")},
+        {flag::rampLimit, MB_LABEL("ramp")},
+        {flag::limitSwitch, MB_LABEL("limit switch")},
+        {flag::lostSamples, MB_LABEL("samples lost")},
+        {flag::aborted, MB_LABEL("stopped")},
+        {flag::lowResolution, MB_LABEL("coarse")},
+        {flag::asymmetric, MB_LABEL("not symmetric")},
+        {flag::didNotMove, MB_LABEL("did not move")},
+        {flag::restartNeeded, MB_LABEL("restart needed")},
+    }};
+    const auto row = std::ranges::find_if(labels, [&](const auto &entry) { return entry.first == flag; });
+    return row == labels.end() ? flag : row->second;
 }
 
 void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, const Spans &holds,
@@ -241,7 +262,7 @@ void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, 
     trial.holds = spansOf(holds, zero);
     trial.returns = spansOf(returns, zero);
     trial.signals = recorder.signals(zero, within);
-    addFlags(trial, family, reading.response, back.response, recorder.trace(key, zero, within));
+    addFlags(trial, family, reading, back, recorder.trace(key, zero, within));
 }
 
 } // namespace mb::tuning

@@ -27,6 +27,8 @@ void nameEnding(Trial &trial, const Ending &ending);
 /// What Trial::reason is called in front of people, a label of the table: "direction" of "wrong direction";
 /// empty: not a reason that is known here.
 [[nodiscard]] std::string_view endingLabel(std::string_view reason);
+/// What a flag is called there; itself where it is not known here.
+[[nodiscard]] std::string_view flagLabel(std::string_view flag);
 /// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back; of what was recorded within a
 /// stretch around the first edge.
 void measure(Trial &trial, const Family &family, const TrialRecorder &recorder,

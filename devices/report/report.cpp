@@ -121,7 +121,6 @@ void ReportUnit::describe(const ReportUnit &who)
 {
     family = who.family;
     identity = who.identity;
-    unit = who.unit;
     selector = who.selector;
     simulated = who.simulated;
     parameters = who.parameters;

@@ -31,11 +31,11 @@ struct ReportUnit {
     std::vector<KeptTrial> history;                ///< every trial of the unit, one line each
     std::vector<service::Visit> visits;            ///< every service of it, oldest first
 
-    /// Who it is and what it tells of itself, as a unit that answers does; what the notebook has of it stays.
+    /// What it tells of itself, as a unit that answers does; what the notebook has of it stays, as whom it knows it too.
     void describe(const ReportUnit &who);
 };
 
-/// What a report is to be about: trials by number, or all that matters of one unit (Trial::unit).
+/// What a report is to be about: trials by number, of one unit (unitKeyOf()) where that is given, or all that matters of it.
 struct ReportWish {
     std::vector<std::int64_t> trials;
     std::string unit;

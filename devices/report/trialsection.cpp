@@ -2,6 +2,7 @@
 #include "report/trialsection.h"
 
 #include "experiment/envelope.h"
+#include "experiment/verdict.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "report/htmltext.h"
@@ -139,8 +140,12 @@ QString envelopeWords(const Envelope &envelope)
         parts << ReportText::tr("speed %1").arg(figure(*envelope.speed, 6, QStringLiteral("counts/s")));
     if (envelope.current)
         parts << ReportText::tr("current %1").arg(figure(*envelope.current, 3, QStringLiteral("A")));
-    if (envelope.duty)
-        parts << ReportText::tr("duty %1").arg(figure(*envelope.duty * 100.0, 3, QStringLiteral("%")));
+    if (envelope.duty) {
+        const QString duty = figure(*envelope.duty * 100.0, 3, QStringLiteral("%"));
+        parts << (envelope.current ? ReportText::tr("duty %1")
+                                   : ReportText::tr("duty %1, which stands in for a limit of current"))
+                     .arg(duty);
+    }
     return parts.join(QStringLiteral(", "));
 }
 
@@ -175,8 +180,11 @@ QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &r
     ending += QStringLiteral(" · ")
         + (trial.stopped ? ReportText::tr("motor seen stopped") : ReportText::tr("stop not confirmed"))
         + QStringLiteral(" · ") + ReportText::tr("%1 samples, %2 lost").arg(trial.samples).arg(trial.lost);
-    for (const std::string &flag : trial.flags)
-        ending += QStringLiteral(" · ") + strong(escaped(flag), "caution");
+    for (const std::string &flag : trial.flags) {
+        const QString word = worded(report.phrase, Message::label(tuning::flagLabel(flag)));
+        if (flag != tuning::flag::aborted) // that was said
+            ending += QStringLiteral(" · ") + strong(escaped(word), "caution");
+    }
     html += paragraph(ending);
     if (const QString plot = plotOf(kept); !plot.isEmpty())
         html += QStringLiteral("<div>") + plot + QStringLiteral("</div>\n");

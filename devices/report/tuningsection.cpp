@@ -39,7 +39,7 @@ QString verdictHtml(const TuneReport &report)
     case TuneResult::Kept: return strong(ReportText::tr("Kept"), "ok");
     case TuneResult::Proposed: return strong(ReportText::tr("Proposed, nothing was written"), "accent");
     case TuneResult::RolledBack:
-        return strong(replacesUnknown(report) ? ReportText::tr("Not kept") : ReportText::tr("Put back"), "caution");
+        return strong(isPutBack(report) ? ReportText::tr("Put back") : ReportText::tr("Not kept"), "caution");
     case TuneResult::Refused: return strong(ReportText::tr("Refused"), "caution");
     case TuneResult::Stopped: return strong(ReportText::tr("Stopped"), "danger");
     }
@@ -192,7 +192,7 @@ QString figureBlock(const QString &svg)
     return svg.isEmpty() ? QString() : QStringLiteral("<div>") + svg + QStringLiteral("</div>\n");
 }
 
-QString chosenWords(const TuneReport &report)
+QString chosenWords(const TuneReport &report, const Report &whole)
 {
     for (const Proposal &proposal : report.proposals) {
         if (proposal.gains.made != report.proposed.made)
@@ -201,7 +201,7 @@ QString chosenWords(const TuneReport &report)
                            .arg(figure(1e3 * proposal.design.response, 3, QStringLiteral("ms")));
         QStringList bounds;
         for (const std::string_view bound : proposal.design.bounds)
-            bounds << qt(bound);
+            bounds << worded(whole.phrase, Message::label(bound));
         if (!bounds.isEmpty())
             text += QStringLiteral(" · ") + ReportText::tr("bounded by %1").arg(bounds.join(QStringLiteral(", ")));
         return text;
@@ -233,7 +233,7 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
         html += beside(modelHtml(report, whole), proofHtml(report));
     html += figureBlock(stepSvg(report));
     html += gainsHtml(report, unit, whole);
-    if (const QString chosen = chosenWords(report); !chosen.isEmpty())
+    if (const QString chosen = chosenWords(report, whole); !chosen.isEmpty())
         html += paragraph(escaped(chosen), "dim");
     return html + figureBlock(bodeSvg(report)) + gatesHtml(report, whole);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/reportmatter.h"
 
+#include "storage/unittags.h"
 #include "storage/visittable.h"
 
 #include "model/family.h"
@@ -58,25 +59,24 @@ std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const 
 }
 
 /// The journal knows a unit without a serial number by the place where it came, and by the number that it has given it there.
-bool isVisitOf(const std::string &unit, const service::Visit &visit)
+std::string unitOf(Database &database, const service::Visit &visit)
 {
-    if (unitByOf(unit) != UnitBy::Place || unitByOf(visit.unit) != UnitBy::Place)
-        return visit.unit == unit;
-    const std::string line = unit.substr(0, unit.rfind(':') + 1);
-    return visit.unit.starts_with(line) && unit == (visit.number ? line + std::to_string(*visit.number) : visit.unit);
+    const std::string &came = visit.unit;
+    const bool moved = visit.number && unitByOf(came) == UnitBy::Place;
+    return resolvedUnit(database, moved ? came.substr(0, came.rfind(':') + 1) + std::to_string(*visit.number) : came);
 }
 
 /// Until one, if that is named: what came after it is no matter of its report. On a place another unit may have come each time.
 void addVisits(Database &database, ReportUnit &unit, const std::string &last)
 {
     service::VisitFilter served;
-    if (unitByOf(unit.unit) == UnitBy::Serial)
+    const bool isPlaced = unitByOf(unit.unit) != UnitBy::Serial;
+    if (!isPlaced)
         served.unit = unit.unit;
     if (auto visits = getVisits(database, served)) { // a file that is read only may be older than they are
         for (KeptVisit &kept : *visits) {
             const bool isLast = kept.visit.id == last;
-            const bool isOnly = !last.empty() && unitByOf(unit.unit) == UnitBy::Place;
-            if (isOnly ? isLast : isVisitOf(unit.unit, kept.visit))
+            if (isPlaced && !last.empty() ? isLast : unitOf(database, kept.visit) == unit.unit)
                 unit.visits.push_back(std::move(kept.visit));
             if (isLast)
                 break;
@@ -165,10 +165,13 @@ Result<std::vector<ReportUnit>> reportUnits(
     TrialBook &book, std::span<const Family *const> families, const ReportWish &wish)
 {
     std::vector<ReportUnit> units;
-    if (!wish.unit.empty())
-        units.push_back(unitFrom(wish.unit, {}, families));
+    const std::string asked = resolvedUnit(book.database(), wish.unit);
+    if (!asked.empty())
+        units.push_back(unitFrom(asked, {}, families));
     for (const std::int64_t number : wish.trials) {
         MB_TRY(const auto kept, book.find(number));
+        if (!asked.empty() && kept.trial.unit != asked)
+            continue;
         const auto same = [&](const ReportUnit &unit) { return unit.unit == kept.trial.unit; };
         if (std::ranges::none_of(units, same))
             units.push_back(unitFrom(kept.trial.unit, kept.trial.device, families));

@@ -18,14 +18,6 @@ namespace {
 
 using tuning::Trial;
 
-std::string list(const std::vector<std::string> &words)
-{
-    std::string text;
-    for (const std::string &word : words)
-        text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 QJsonObject signalsToJson(const Trial &trial)
 {
     QJsonObject all;
@@ -60,11 +52,6 @@ std::string quoted(const std::string &text)
     return '"' + inside + '"';
 }
 
-std::string timeOf(const KeptTrial &kept)
-{
-    return QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3)).toString(Qt::ISODate).toStdString();
-}
-
 std::string gainsOf(const Trial &trial)
 {
     std::string gains;
@@ -83,9 +70,9 @@ std::string csvRow(const KeptTrial &kept)
         + numberText(t.stimulus.from) + ',' + numberText(t.stimulus.to) + ',' + std::to_string(t.repeat);
     for (const tuning::MetricKey &key : tuning::metricKeys())
         text += ',' + (t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : std::string());
-    return text + ',' + quoted(list(t.flags)) + ',' + t.reason + ',' + truth(t.stopped) + ','
-        + std::to_string(t.samples) + ',' + std::to_string(t.lost) + ',' + truth(kept.star) + ',' + quoted(kept.note)
-        + ',' + quoted(gainsOf(t)) + '\n';
+    return text + ',' + quoted(flagsOf(t)) + ',' + t.reason + ',' + truth(t.stopped) + ',' + std::to_string(t.samples)
+        + ',' + std::to_string(t.lost) + ',' + truth(kept.star) + ',' + quoted(kept.note) + ',' + quoted(gainsOf(t))
+        + '\n';
 }
 
 QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
@@ -100,6 +87,19 @@ QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
 }
 
 } // namespace
+
+std::string timeOf(const KeptTrial &kept)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3)).toString(Qt::ISODate).toStdString();
+}
+
+std::string flagsOf(const Trial &trial)
+{
+    std::string text;
+    for (const std::string &flag : trial.flags)
+        text += (text.empty() ? "" : ", ") + flag;
+    return text;
+}
 
 QJsonObject trialRow(const KeptTrial &kept)
 {

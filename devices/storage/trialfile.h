@@ -13,6 +13,10 @@
 
 namespace mb {
 
+/// When it was made, of the computer's time zone: "2026-11-28T20:15:00".
+[[nodiscard]] std::string timeOf(const KeptTrial &kept);
+/// "saturated, did-not-move".
+[[nodiscard]] std::string flagsOf(const tuning::Trial &trial);
 /// A row of `trials`: every key of the last line of `step`, and what the notebook adds.
 [[nodiscard]] QJsonObject trialRow(const KeptTrial &kept);
 [[nodiscard]] QJsonArray trialRows(const std::vector<KeptTrial> &trials);

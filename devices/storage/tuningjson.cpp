@@ -39,14 +39,11 @@ JsonFields<T> numbers(std::initializer_list<std::pair<const char *, double T::*>
     return fields;
 }
 
-constexpr std::array<std::string_view, 5> boundNames{
-    "delay", "derivative noise", "largest error", "margin", "peak current"};
-
 bool readBounds(const QJsonValue &json, Design &design)
 {
     for (const QJsonValue value : json.toArray()) {
-        const auto known = std::ranges::find(boundNames, value.toString().toStdString());
-        if (known != boundNames.end())
+        const auto known = std::ranges::find(designBounds, value.toString().toStdString());
+        if (known != designBounds.end())
             design.bounds.push_back(*known);
     }
     return json.isArray();
@@ -170,9 +167,10 @@ const JsonFields<TuneReport> jsonFields<TuneReport>{{"seconds", &TuneReport::sec
     {"stopped", &TuneReport::stopped}, {"stop_reason", &TuneReport::stopReason}, {"motor", &TuneReport::motor},
     {"plant", &TuneReport::plant}, {"gates", &TuneReport::gates}, {"proposals", &TuneReport::proposals},
     {"proposed", &TuneReport::proposed}, {"measured", &TuneReport::measured}, {"trials", &TuneReport::trials},
-    {"scale", &TuneReport::scale, ifSet}, {"design", &TuneReport::design, ifSet},
-    {"margins", &TuneReport::margins, ifSet}, {"predicted", &TuneReport::predicted, ifSet},
-    {"profile", &TuneReport::profile, ifSet}, {"before", beforeToJson, readBefore}, {"proof", proofToJson, readProof}};
+    {"not_put_back", &TuneReport::notPutBack, ifSet}, {"scale", &TuneReport::scale, ifSet},
+    {"design", &TuneReport::design, ifSet}, {"margins", &TuneReport::margins, ifSet},
+    {"predicted", &TuneReport::predicted, ifSet}, {"profile", &TuneReport::profile, ifSet},
+    {"before", beforeToJson, readBefore}, {"proof", proofToJson, readProof}};
 
 QJsonObject toJson(const TuneReport &report)
 {

@@ -189,6 +189,8 @@ void takeError(AutotuneRun &run, const Error &error)
     } else if (const std::string_view reason = endBetween(run.device(), error); !reason.empty()) {
         run.end(reason, error.message());
         report.stopped = run.device().isSeenStopped();
+    } else if (!report.stopped) {
+        run.end("unconfirmed", error.message());
     }
 }
 

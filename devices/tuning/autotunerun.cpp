@@ -60,6 +60,8 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     Trial trial = co_await runExperiment(m_device, m_stream, plan, m_around);
     m_around.before = {}; // it was called by the first that moved
     m_moved = true;
+    if (!trial.envelope.current)
+        m_plan.limits.current.reset(); // that nobody holds it was said
     if (trial.number)
         m_report.trials.push_back(*trial.number);
     if (const Signal *const position = trial.signal("position"); position && !position->trace.isEmpty()) {

@@ -129,11 +129,11 @@ Design design(
     for (int round = 0; round < mostSlowings; ++round, result.response *= slower) {
         result.gains = rule(loop, plant, result.response, bounds.integralWeight);
         if (isNoisy(result.gains, bounds))
-            bound("derivative noise");
+            bound(designBounds[0]);
         else if (isLikeARelay(result.gains, bounds))
-            bound("largest error");
+            bound(designBounds[1]);
         else if (!hasMargin(loop, plant, result.gains, mostMs, mostMsOff))
-            bound("margin");
+            bound(designBounds[2]);
         else
             break;
     }

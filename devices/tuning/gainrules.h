@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
 #include "model/setpoint.h"
 #include "tuning/plantmodel.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -48,12 +50,16 @@ struct LoopBounds {
     double largestError = 0.0;    ///< in the unit of the loop; 0: unknown
 };
 
+/// What may keep a loop from being as quick as was asked for: labels of the table.
+inline constexpr std::array<std::string_view, 3> designBounds{
+    MB_LABEL("derivative noise"), MB_LABEL("largest error"), MB_LABEL("margin")};
+
 /// Gains for this loop, and what kept them from being as quick as was asked for. `response` as of responseOf().
 struct Design {
     ContinuousGains gains;
     double response = 0.0;                ///< s, as it came out
     double asked = 0.0;                   ///< s, as it was asked for
-    std::vector<std::string_view> bounds; ///< "delay", "derivative noise", "largest error", "margin"; empty: none
+    std::vector<std::string_view> bounds; ///< of designBounds; empty: none
 };
 /// The sensitivity peak is at most `mostMs` on the model, and `mostMsOff` with 20 % more gain and 30 % more delay.
 [[nodiscard]] bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs,

@@ -18,4 +18,9 @@ bool replacesUnknown(const TuneReport &report)
     return std::ranges::any_of(report.before, [](const auto &gain) { return !gain.second.has_value(); });
 }
 
+bool isPutBack(const TuneReport &report)
+{
+    return report.notPutBack.empty() && !replacesUnknown(report);
+}
+
 } // namespace mb::tuning

@@ -66,14 +66,16 @@ struct TuneReport {
     std::vector<Trial> proof;             ///< one a direction
     double heat = 0.0;                    ///< in the winding before the first of them (windingheat.h)
     Metrics measured;                     ///< the worse of both
-    std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
-    bool stopped = true;    ///< the motor was seen stopped
-    Message notPutBack;     ///< why something else than before, and than was kept, is in force; empty: nothing is
+    std::string stopReason;               ///< what ended it, as endingLabel() knows it; empty: its own end
+    bool stopped = true;                  ///< the motor was seen stopped
+    Message notPutBack; ///< why something else than before, and than was kept, is in force; empty: nothing is
     double seconds = 0.0;
     std::vector<std::int64_t> trials; ///< numbers in the notebook
 };
 
 /// Nobody knows what its gains replaced, so that nothing can put it back, and nothing is owed.
 [[nodiscard]] bool replacesUnknown(const TuneReport &report);
+/// What was there before is in force again where nothing was kept.
+[[nodiscard]] bool isPutBack(const TuneReport &report);
 
 } // namespace mb::tuning

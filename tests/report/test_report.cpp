@@ -194,6 +194,44 @@ TEST(Report, WhatIsNotKnownIsADashAndNeverNought)
     EXPECT_TRUE(html.mid(row, 120).contains(QStringLiteral("–"))) << html.mid(row, 120).toStdString();
 }
 
+TEST(Report, SaysThatTheDutyLimitStandsInWhereNoCurrentIsTold)
+{
+    Report report = reportOf(true);
+    Envelope &envelope = report.units.front().trials.front().trial.envelope;
+    envelope = {5000.0, {}, 12.5, 0.4};
+    const QString words = QStringLiteral(", which stands in for a limit of current.</p>");
+    EXPECT_FALSE(htmlOf(report).contains(words));
+    envelope.current.reset();
+    EXPECT_TRUE(htmlOf(report).contains(words));
+}
+
+TEST(Report, TellsFlagsAndWhatBoundedAnAimInTheWordsOfTheReader)
+{
+    Report report = reportOf(true);
+    report.phrase = [](const Message &message) {
+        return QLatin1Char('[') + QString::fromStdString(message.english()) + QLatin1Char(']');
+    };
+    report.units.front().trials.front().trial.flags = {"aborted", "did-not-move", "of a newer version"};
+    TuneReport &tuning = report.units.front().tunings.front().report;
+    tuning.proposals.emplace_back().gains.made = tuning.proposed.made;
+    tuning.proposals.front().design.bounds = {"margin"};
+    const QString html = htmlOf(report);
+    for (const char *word : {"[did not move]", "[of a newer version]", "bounded by [margin]"})
+        EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
+    EXPECT_FALSE(html.contains(QStringLiteral("[stopped]"))) << "its ending says so";
+}
+
+TEST(Report, DoesNotCallPutBackWhatIsStillInForce)
+{
+    Report report = reportOf(true);
+    TuneReport &tuning = report.units.front().tunings.front().report;
+    tuning.result = TuneResult::RolledBack;
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral(">Put back<")));
+    tuning.notPutBack = say("slot0.p was not written");
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral(">Put back<")));
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral(">Not kept<")));
+}
+
 /// What a motor without friction answers to a sine of duty, 200 times a second.
 KeptTrial sine(double hertz)
 {

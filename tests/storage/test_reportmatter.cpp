@@ -2,7 +2,9 @@
 #include "async/virtualclock.h"
 #include "model/family.h"
 #include "model/registry.h"
+#include "model/unit.h"
 #include "storage/reportmatter.h"
+#include "storage/settingsbook.h"
 #include "storage/visittable.h"
 #include "support/coreapplication.h"
 #include "support/simulatedsession.h"
@@ -182,6 +184,28 @@ TEST_F(Reports, OfOneServiceOfManyTheReportEndsWithItAndThatOfAPlaceHasNoOther)
     EXPECT_EQ(idsOf("simulated dmc60c SN7", ""), (Ids{"march", "june"}));
     EXPECT_EQ(idsOf(place, "first there"), Ids{"first there"});
     EXPECT_EQ(idsOf(place, "second there"), Ids{"second there"});
+}
+
+TEST_F(Reports, AUnitWithATagIsFoundByItsPlaceWithItsTrialsAndServices)
+{
+    const std::string place = "simulated place sim:serial supermodified:4";
+    ASSERT_TRUE(SettingsBook(*database, clock, "somebody").setTag(place, "arm A"));
+    Trial trial;
+    trial.device = "sim:serial/supermodified:4";
+    trial.unit = place;
+    ASSERT_TRUE(test::run(clock, book->begin(trial)));
+    service::Visit visit;
+    visit.id = "served";
+    visit.unit = place;
+    ASSERT_TRUE(putVisits(*database, {{visit, 1}}));
+    for (const ReportWish &wish : {ReportWish{{6, 3}, place}, ReportWish{{}, place}, ReportWish{{6}, {}}}) {
+        const auto units = of(wish);
+        ASSERT_EQ(units.size(), 1U) << "trial 3 is of another unit";
+        EXPECT_EQ(units[0].unit, taggedUnitKey(place, "arm A"));
+        EXPECT_EQ(numbersOf(units[0].history), (std::vector<std::int64_t>{6}));
+        EXPECT_EQ(units[0].trials.size(), wish.trials.empty() ? 0U : 1U) << "it was cut off";
+        EXPECT_EQ(units[0].visits.size(), 1U);
+    }
 }
 
 TEST_F(Reports, ANumberThatIsNotThereIsSaidSo)

@@ -64,7 +64,7 @@ protected:
         report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}, true},
             {"resolution", say("12 counts"), false, say("go faster")}};
         Proposal normal;
-        normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"delay", "margin"}};
+        normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"largest error", "margin"}};
         normal.gains.rows = {{"slot0.p", 38083, 0.5811}, {"slot0.i", 113, 0.001724}};
         normal.gains.made = {1e-5, 2e-4, 0.0, 0.0};
         normal.margins = {1.44, std::numeric_limits<double>::infinity(), 67.0, 4.0};
@@ -79,6 +79,7 @@ protected:
         report.profile = normal.profile;
         report.before = {{"slot0.p", 1.165}, {"slot0.d", std::nullopt}};
         report.measured.overshoot = 0.013;
+        report.notPutBack = say("slot0.p was not written");
         report.seconds = 38.2;
         report.trials = {1, 2};
         return report;
@@ -134,6 +135,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_FALSE(back.gates[1].warns);
     EXPECT_EQ(back.gates[1].remedy, "go faster");
     EXPECT_EQ(back.before, kept.before);
+    EXPECT_EQ(back.notPutBack, kept.notPutBack);
     EXPECT_EQ(back.measured, kept.measured);
     EXPECT_EQ(back.trials, kept.trials);
     ASSERT_EQ(back.proposals.size(), 1U);

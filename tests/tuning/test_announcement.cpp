@@ -138,6 +138,43 @@ TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
         [](const std::string &note) { return note.starts_with("first its direction is checked"); }));
 }
 
+TEST(Announcement, ALimitOfCurrentThatNobodyCanHoldIsSaidOnceAndTheDutyLimitStandsIn)
+{
+    ExperimentBench drive("sim:can", "abstractdc", 3);
+    int told = 0;
+    drive.surroundings.warn = [&](const Message &text) {
+        told += text.english() == "the unit tells no current in ampere: the duty limit stands in for 2 A" ? 1 : 0;
+    };
+    ExperimentPlan plan = test::stepTo(Mode::Velocity, 4000.0);
+    const auto free = drive.run(plan);
+    ASSERT_TRUE(free) << free.error().text();
+    EXPECT_EQ(told, 0) << "nobody asked for one";
+    plan.limits.current = 2.0;
+    const auto trial = drive.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_EQ(trial->reason, "done");
+    EXPECT_FALSE(trial->envelope.current);
+    EXPECT_EQ(told, 1);
+    TunePlan tuning = planOf(Mode::Velocity);
+    tuning.propose = true;
+    tuning.limits.current = 2.0;
+    const auto report = tune(drive, tuning);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_GT(report->trials.size(), 1U);
+    EXPECT_EQ(told, 2) << "of many pushes";
+}
+
+TEST(Announcement, ALimitOfCurrentThatItsGuardHoldsNeedsNoWord)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    ExperimentPlan plan = test::stepTo(Mode::Velocity, 20'000.0);
+    plan.limits.current = 60.0;
+    ASSERT_TRUE(bench.run(plan));
+    EXPECT_EQ(std::count_if(bench.notes.begin(), bench.notes.end(),
+                  [](const std::string &note) { return note.find("stands in") != std::string::npos; }),
+        0);
+}
+
 /// Its guard lets that pass.
 TEST(Announcement, OfASpeedThatTheLimitsBoundIsWhatItsGuardStopsAt)
 {

@@ -66,6 +66,23 @@ TEST(Batteries, NameTheWorstOfEachMetricAndWhereItWas)
     }
 }
 
+TEST(Batteries, CallAStepThatDidNotSettleTheWorstToSettle)
+{
+    const auto settle = static_cast<std::size_t>(findMetric("settle") - metricKeys().data());
+    std::vector<Trial> trials(3);
+    for (Trial &trial : trials)
+        trial.metrics.overshoot = 0.1;
+    trials[0].metrics.settle = 0.3;
+    trials[1].metrics.noise = 0.001;
+    trials[2].metrics.settle = 0.5;
+    EXPECT_FALSE(worstOf(trials).metrics.settle);
+    EXPECT_EQ(worstOf(trials).where[settle], 1U);
+    trials[1].metrics.noise = 2.0 * unreadableNoise;
+    EXPECT_EQ(worstOf(trials).where[settle], 2U) << "nobody could read it";
+    trials[1].metrics = {};
+    EXPECT_EQ(worstOf(trials).metrics.settle, 0.5) << "it was stopped before it answered";
+}
+
 TEST(Batteries, OfUnitSevenAreTenTrialsThatOvershoot)
 {
     test::ExperimentBench bench("sim:can", "dmc60c", 7);

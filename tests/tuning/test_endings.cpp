@@ -72,6 +72,45 @@ TEST(Endings, WhatAStepThatIsCutShortDidNotShowIsNotTold)
     EXPECT_TRUE(trial.metrics.peakCurrent); // it flowed
 }
 
+TEST(Endings, OfAStepThatIsCutShortSayNothingOfAMotorThatDidNotMove)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    ASSERT_TRUE(bench.run(plan)); // it knows which way its sensor counts
+    auto task = bench.start(plan);
+    task.start();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return bench.simulator()->speed() > 500.0; }, 20s));
+    bench.interruption.interrupt();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 30s));
+    const Trial cut = task.result().value_or(Trial());
+    EXPECT_EQ(cut.reason, "interrupted");
+    ASSERT_EQ(cut.holds.size(), 1U);
+    EXPECT_FALSE(cut.has(flag::didNotMove));
+}
+
+TEST(Endings, ByAPeakOfCurrentRightAfterTheEdgeSayNothingOfAMotorThatDidNotMove)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    plan.limits.current = 12.0;
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_EQ(trial->reason, "current");
+    EXPECT_FALSE(trial->has(flag::didNotMove));
+}
+
+TEST(Endings, ByTheGuardThatMissesMotionAreOfAMotorThatDidNotMove)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+    ASSERT_TRUE(bench.run(plan));
+    bench.simulator()->disturb("stall", 1.0);
+    const Result<Trial> trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    EXPECT_EQ(trial->reason, "no motion");
+    EXPECT_TRUE(trial->has(flag::didNotMove));
+}
+
 TEST(Endings, ASquareThatIsCutInItsFirstHalfHasMoved)
 {
     StepWithGains step;

@@ -62,6 +62,7 @@ TEST(KeptGains, ThatCouldNotBeWrittenAreRolledBackAndOwedWhereTheUnitIsGone)
     const TuneReport report = std::move(*tuned.task.result());
     EXPECT_NE(report.result, TuneResult::Kept);
     EXPECT_FALSE(report.notPutBack.empty());
+    EXPECT_FALSE(isPutBack(report));
     EXPECT_EQ(tuned.owed("slot0.p"), tuned.before);
 }
 
@@ -81,6 +82,7 @@ TEST(KeptGains, ThatCouldNotAllBeWrittenAreTakenBack)
     const TuneReport report = std::move(*tuned.task.result());
     EXPECT_EQ(report.result, TuneResult::RolledBack) << report.evidence.english();
     EXPECT_TRUE(report.notPutBack.empty()) << report.notPutBack.english();
+    EXPECT_TRUE(isPutBack(report));
     EXPECT_EQ(rawOf(tuned.bench, "slot0.p"), tuned.before);
     EXPECT_TRUE(tuned.bench.journal.owed.empty());
 }
@@ -201,6 +203,25 @@ TEST(Tuning, EndsWhereTheStopOfATrialIsNotConfirmed)
     EXPECT_NE(report.evidence.english().find("was not confirmed"), std::string::npos) << report.evidence.english();
     const auto isPush = [](const std::string &note) { return note.starts_with("pushing"); };
     EXPECT_EQ(std::count_if(tuned.bench.notes.begin(), tuned.bench.notes.end(), isPush), 1) << "nothing follows it";
+}
+
+/// A load drives it on when the first push ends; nobody else commands it, and it is heard.
+TEST(Tuning, IsStoppedWhereItsMotorIsHeardAndNotSeenToStand)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    SetPointStream &stream = bench.bench.session.stream(*bench.device);
+    bool ran = false;
+    const Subscription ending = stream.changed().add([&] {
+        if (std::exchange(ran, stream.isRunning()) && !stream.isRunning())
+            bench.simulator()->disturb("load-torque", -0.5);
+    });
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.propose = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_FALSE(report->stopped);
+    EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
+    EXPECT_EQ(report->stopReason, "unconfirmed");
 }
 
 } // namespace

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTrusted();
     void aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatWasStopped();
     void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
+    void whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
     void theKeysOrder();
     void anErrorLeavesThePageAsItWasAndArmed();
@@ -172,7 +173,7 @@ void TestDesignPage::whatHoldsTheSlidersBackIsSaid()
     bench.page->chooseOwn(0.3, 1.6);
     QVERIFY2(bench.own()->boundText().isEmpty(), qPrintable(bench.own()->boundText()));
     bench.page->chooseOwn(0.005, 1.3);
-    QVERIFY2(bench.own()->boundText().contains(boundWord("margin")), qPrintable(bench.own()->boundText()));
+    QVERIFY2(bench.own()->boundText().contains(QStringLiteral("margin")), qPrintable(bench.own()->boundText()));
 }
 
 void TestDesignPage::anotherSlotHasTheSameProposalsUnderItsOwnKeys()
@@ -292,6 +293,26 @@ void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()
     bench.page->prove();
     QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(3));
     QVERIFY(bench.workbench.given<orders::RunTuning>()[2].plan.known == std::optional(identified().plant));
+}
+
+void TestDesignPage::whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    bench.page->chooseOwn(0.3, 1.6);
+    QVERIFY(bench.page->chosen());
+    bench.page->identify();
+    TuneReport refused = identified();
+    refused.result = TuneResult::Refused;
+    refused.gates.front().passed = false;
+    refused.proposals.clear();
+    bench.finish(refused);
+    QVERIFY(bench.cards().isEmpty() && !bench.own()->isVisible());
+    QVERIFY(!bench.page->chosen());
+    bench.page->prove();
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
 }
 
 void TestDesignPage::cardsAreChosenByKeysAndShowTheirOwnLoop()

@@ -47,7 +47,7 @@ struct ReportBench {
     {
         workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
         ReportUnit unit;
-        unit.unit = view().unit;
+        unit.unit = "simulated tag dmc60c left arm"; // as the notebook knows it
         unit.trials = {stepped(view())};
         unit.history = unit.trials;
         workbench.book.matter = std::vector<ReportUnit>{unit};
@@ -136,8 +136,10 @@ void TestReportPdf::thePageWritesWhatItShowsAsHtmlAndAsPdf()
     const QString html = bench.folder.filePath(QStringLiteral("a.html"));
     QVERIFY(bench.write(html));
     QCOMPARE(bench.workbench.book.wishes.back().trials, std::vector<std::int64_t>{3});
+    QCOMPARE(bench.workbench.book.wishes.back().unit, bench.view().unit);
     const QString text = QString::fromUtf8(ReportBench::contentOf(html));
     QVERIFY(text.contains(QStringLiteral("Trial 3")));
+    QVERIFY(text.contains(QStringLiteral("left arm")));
     QVERIFY2(text.contains(QStringLiteral("<h2>Parameters")), "of the unit as it is now");
     const QString pdf = bench.folder.filePath(QStringLiteral("a.pdf"));
     QVERIFY(bench.write(pdf));

@@ -31,17 +31,23 @@ void TrialPair::measured(const tuning::Trial &trial)
     m_b = std::move(kept);
 }
 
-void TrialPair::update(const std::vector<KeptTrial> &kept)
+bool TrialPair::update(const std::vector<KeptTrial> &kept)
 {
+    bool isLetGo = false;
     for (std::optional<KeptTrial> *const shown : {&m_a, &m_b}) {
         const auto found = std::ranges::find_if(
             kept, [shown](const KeptTrial &trial) { return *shown && trial.number == (*shown)->number; });
-        if (found == kept.end())
-            continue;
-        (*shown)->star = found->star;
-        (*shown)->note = found->note;
-        (*shown)->time = found->time;
+        if (found != kept.end()) {
+            (*shown)->star = found->star;
+            (*shown)->note = found->note;
+            (*shown)->time = found->time;
+        } else if (*shown && (*shown)->time > 0.0) { // it was kept
+            shown->reset();
+            m_pinned = m_pinned && shown != &m_a;
+            isLetGo = true;
+        }
     }
+    return isLetGo;
 }
 
 } // namespace mb

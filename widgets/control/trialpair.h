@@ -28,8 +28,8 @@ public:
     void flip() { std::swap(m_a, m_b); }
     /// What is measured so far is B. Unless somebody has pinned another, what was B becomes A.
     void measured(const tuning::Trial &trial);
-    /// Star, note and time may be others by now.
-    void update(const std::vector<KeptTrial> &kept);
+    /// Star, note and time may be others by now. True where one was kept and is no more: it is let go.
+    [[nodiscard]] bool update(const std::vector<KeptTrial> &kept);
 
 private:
     std::optional<KeptTrial> m_a;

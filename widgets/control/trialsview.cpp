@@ -201,9 +201,11 @@ void TrialsView::listed(const std::vector<KeptTrial> &trials)
             pushed = kept.number;
     }
     m_list->setIdentified(pushed);
-    m_pair.update(mine);
+    const bool isLetGo = m_pair.update(mine);
     const std::int64_t newest = mine.empty() ? 0 : mine.back().number;
     m_list->setTrials(std::move(mine));
+    if (isLetGo)
+        draw();
     if (!m_pair.b() && newest > 0)
         fetch(newest, false);
 }

@@ -18,24 +18,6 @@ struct TrialWords {
     Q_DECLARE_TR_FUNCTIONS(mb::TrialWords)
 };
 
-struct Named {
-    std::string_view key;
-    const char *text;
-};
-
-constexpr std::array<Named, 10> flags{{
-    {tuning::flag::saturated, QT_TRANSLATE_NOOP("mb::TrialWords", "saturated")},
-    {tuning::flag::currentLimit, QT_TRANSLATE_NOOP("mb::TrialWords", "current limit")},
-    {tuning::flag::rampLimit, QT_TRANSLATE_NOOP("mb::TrialWords", "ramp")},
-    {tuning::flag::limitSwitch, QT_TRANSLATE_NOOP("mb::TrialWords", "limit switch")},
-    {tuning::flag::lostSamples, QT_TRANSLATE_NOOP("mb::TrialWords", "samples lost")},
-    {tuning::flag::aborted, QT_TRANSLATE_NOOP("mb::TrialWords", "stopped")},
-    {tuning::flag::lowResolution, QT_TRANSLATE_NOOP("mb::TrialWords", "coarse")},
-    {tuning::flag::asymmetric, QT_TRANSLATE_NOOP("mb::TrialWords", "not symmetric")},
-    {tuning::flag::didNotMove, QT_TRANSLATE_NOOP("mb::TrialWords", "did not move")},
-    {tuning::flag::restartNeeded, QT_TRANSLATE_NOOP("mb::TrialWords", "restart needed")},
-}};
-
 struct Row {
     std::string_view key;
     const char *name;
@@ -93,8 +75,7 @@ QString flagText(const std::string &flag, const tuning::Trial &trial)
         return TrialWords::tr("%1 samples lost").arg(formatCount(static_cast<qint64>(trial.lost)));
     if (flag == tuning::flag::saturated && trial.metrics.saturated)
         return TrialWords::tr("saturated %1 %").arg(formatNumber(*trial.metrics.saturated * 100.0, 0));
-    const auto row = std::ranges::find(flags, flag, &Named::key);
-    return row == flags.end() ? QString::fromStdString(flag) : TrialWords::tr(row->text);
+    return tableText(tuning::flagLabel(flag));
 }
 
 QString stimulusText(const tuning::Trial &trial, const DisplayUnits &units)

@@ -122,13 +122,17 @@ void TuneExperiments::run()
     const DeviceView *const view = m_choices.device();
     if (!view)
         return;
-    m_turns = m_parts.column->motorsToRun();
-    for (const int axis : m_turns) {
+    const std::vector<ParameterChange> all = wishOf(*view, m_choices.axis()).gains;
+    const bool isWritten = triable(*view->family, all).size() < all.size();
+    m_turns.clear();
+    for (const int axis : m_parts.column->motorsToRun()) {
         if (axis != m_choices.axis())
             handOver(*view, axis);
+        m_turns.emplace_back(axis, wishOf(*view, axis));
+        if (isWritten)
+            m_turns.back().second.gains.clear();
     }
-    const std::vector<ParameterChange> all = wishOf(*view, m_choices.axis()).gains;
-    if (triable(*view->family, all).size() < all.size())
+    if (isWritten)
         m_gains.write([this] { runNext(); });
     else
         runNext();
@@ -154,14 +158,15 @@ void TuneExperiments::runNext()
     const DeviceView *const view = m_choices.device();
     if (!view || m_turns.empty())
         return;
-    const int axis = m_turns.front();
+    auto [axis, wish] = std::move(m_turns.front());
     m_turns.erase(m_turns.begin());
+    wish.limits = m_parts.column->envelope().entered(); // those of a unit hold at once
     const auto ifShown = [self = QPointer<TuneExperiments>(this), motor = TuneMotor{view->id, axis}](auto &&act) {
         if (self && self->m_choices.shown() == motor)
             act(*self->m_parts.trials);
     };
     m_arming.runTrial(
-        planOf(*view, wishOf(*view, axis)),
+        planOf(*view, wish),
         [ifShown](
             const tuning::Trial &trial) { ifShown([&trial](TrialsView &trials) { trials.showMeasured(trial); }); },
         [self = QPointer<TuneExperiments>(this), ifShown, number = m_arming.armingNumber()](
@@ -230,7 +235,7 @@ void TuneExperiments::writeReport()
         return;
     ReportWish wish;
     for (const KeptTrial *const shown : {m_parts.trials->a(), m_parts.trials->b()}) {
-        if (shown)
+        if (shown && shown->number > 0) // it is kept
             wish.trials.push_back(shown->number);
     }
     if (!m_report)

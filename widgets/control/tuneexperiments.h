@@ -60,7 +60,7 @@ private:
     TuneParts m_parts;
     const ThemeSource &m_theme;
     QWidget &m_page;
-    std::vector<int> m_turns; ///< axes whose turn is still to come
+    std::vector<std::pair<int, ExperimentWish>> m_turns; ///< axes whose turn is still to come, as it was ordered
     BatteryDialog *m_battery = nullptr;
     ReportOrder *m_report = nullptr;
 };

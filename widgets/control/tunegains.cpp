@@ -130,42 +130,38 @@ void TuneGains::undo(bool again)
         }));
 }
 
-void TuneGains::stageTrial(const KeptTrial &kept)
+/// By what they are called, whatever slot they were of.
+template <class Values> void TuneGains::stage(const Values &values, const QString &title)
 {
     const DeviceView *const view = m_choices.device();
     const TuneChoice *const chosen = m_choices.current();
     if (!view || !chosen)
         return;
-    const GainSet set = gainSet(*view->family, kept.trial.mode, chosen->editedSlot, m_choices.axis());
+    const GainSet set = gainSet(*view->family, chosen->mode, chosen->editedSlot, m_choices.axis());
     std::vector<ParameterIndex> rows = set.gains;
     rows.insert(rows.end(), set.bounds.begin(), set.bounds.end());
     std::vector<ParameterChange> changes;
     for (const ParameterIndex index : rows) {
         const Parameter &row = view->family->parameters[index.value];
-        for (const auto &[key, value] : kept.trial.gains) {
-            if (!value || nameOf(row.key) != nameOf(key))
+        for (const auto &[key, value] : values) {
+            const std::optional<double> number = value;
+            if (!number || nameOf(row.key) != nameOf(key))
                 continue;
-            if (const auto raw = toRaw(row, *value))
+            if (const auto raw = toRaw(row, *number))
                 changes.push_back({index, *raw});
         }
     }
-    chosen->edits->stageAll(changes, tr("Gains of trial #%1").arg(kept.number));
+    chosen->edits->stageAll(changes, title);
+}
+
+void TuneGains::stageTrial(const KeptTrial &kept)
+{
+    stage(kept.trial.gains, tr("Gains of trial #%1").arg(kept.number));
 }
 
 void TuneGains::stageAdvice(const std::vector<std::pair<std::string, double>> &values)
 {
-    const DeviceView *const view = m_choices.device();
-    const TuneChoice *const chosen = m_choices.current();
-    if (!view || !chosen)
-        return;
-    std::vector<ParameterChange> changes;
-    for (const auto &[key, value] : values) {
-        const auto index = findParameter(view->family->parameters, key);
-        const auto raw = index ? toRaw(view->family->parameters[index->value], value) : Result<std::int64_t>(0);
-        if (index && raw)
-            changes.push_back({*index, *raw});
-    }
-    chosen->edits->stageAll(changes, tr("What the adviser proposes"));
+    stage(values, tr("What the adviser proposes"));
 }
 
 void TuneGains::stageAxis(int from)

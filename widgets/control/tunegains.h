@@ -33,7 +33,7 @@ public:
 
     /// The gains of a trial become edits of the slot that is edited: seen, and written like any other.
     void stageTrial(const KeptTrial &kept);
-    /// Of an adviser: parameter keys and numbers. Staged, never written: one key runs it.
+    /// The same of an adviser: parameter keys and numbers. Staged, never written: one key runs it.
     void stageAdvice(const std::vector<std::pair<std::string, double>> &values);
     /// Those of another axis of the board.
     void stageAxis(int from);
@@ -56,6 +56,7 @@ private:
 
         friend bool operator==(const Shown &, const Shown &) = default;
     };
+    template <class Values> void stage(const Values &values, const QString &title);
     [[nodiscard]] const OperationView *operation(const DeviceView &view) const;
     void written(const TuneMotor &motor, const std::vector<ParameterChange> &changes, const Result<void> &result);
 

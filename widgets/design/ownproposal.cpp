@@ -25,21 +25,6 @@ constexpr double notable = 1.02; ///< times slower than asked that is said
 
 } // namespace
 
-QString boundWord(std::string_view bound)
-{
-    if (bound == "margin")
-        return OwnProposal::tr("margin");
-    if (bound == "derivative noise")
-        return OwnProposal::tr("derivative noise");
-    if (bound == "largest error")
-        return OwnProposal::tr("largest error");
-    if (bound == "delay")
-        return OwnProposal::tr("dead time");
-    if (bound == "peak current")
-        return OwnProposal::tr("peak current");
-    return QString::fromUtf8(bound.data(), static_cast<int>(bound.size()));
-}
-
 OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
     : Card(theme, tr("own"), parent)
     , m_theme(theme)
@@ -148,7 +133,7 @@ void OwnProposal::show(const Result<tuning::Proposal> &proposal)
     m_figures->setText(figuresText(*proposal));
     QStringList bounds;
     for (const std::string_view bound : proposal->design.bounds)
-        bounds << boundWord(bound);
+        bounds << tableText(bound);
     const bool slower = proposal->design.response > notable * response();
     m_bounds->setText(slower && !bounds.isEmpty()
             ? tr("Held at τc %1 by: %2")

@@ -60,7 +60,4 @@ private:
     QLabel *m_bounds = nullptr;
 };
 
-/// "margin", "derivative noise" … of Design::bounds in words of people.
-[[nodiscard]] QString boundWord(std::string_view bound);
-
 } // namespace mb

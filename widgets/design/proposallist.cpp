@@ -36,7 +36,7 @@ ProposalList::ProposalList(DesignBook &book, DesignPlots &plots, const ThemeSour
 const tuning::Proposal *ProposalList::chosen() const
 {
     const DesignChoice now = m_book.choice();
-    if (now.own)
+    if (now.own && !m_designed.empty()) // else it is hidden: the model was not believed
         return m_ownDesigned ? &*m_ownDesigned : nullptr;
     const auto found = std::ranges::find_if(
         m_designed, [&now](const tuning::Proposal &proposal) { return proposal.aim == now.aim; });

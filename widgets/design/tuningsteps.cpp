@@ -92,7 +92,7 @@ QString resultText(const tuning::TuneReport &report)
     case tuning::TuneResult::Kept: return TuningSteps::tr("Kept");
     case tuning::TuneResult::Proposed: return TuningSteps::tr("Proposed, nothing written");
     case tuning::TuneResult::RolledBack:
-        return replacesUnknown(report) ? TuningSteps::tr("Not kept") : TuningSteps::tr("Rolled back");
+        return isPutBack(report) ? TuningSteps::tr("Rolled back") : TuningSteps::tr("Not kept");
     case tuning::TuneResult::Refused: return TuningSteps::tr("Refused");
     case tuning::TuneResult::Stopped: return TuningSteps::tr("Stopped");
     }

@@ -71,8 +71,7 @@ void ReportOrder::write(const ReportUnit &unit, const ReportWish &wish, const QS
 void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::function<void(Result<Report>)> made)
 {
     ReportWish matter = wish;
-    if (matter.trials.empty())
-        matter.unit = subject.unit;
+    matter.unit = subject.unit;
     m_workbench.trials().gather(
         matter, guarded(this, [this, subject, made = std::move(made)](Result<std::vector<ReportUnit>> units) {
             if (!units)
@@ -84,12 +83,9 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
                 = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
                       .toStdString();
             report.phrase = [](const Message &message) { return messageText(message, QLatin1Char('.')); };
-            for (ReportUnit &found : *units) {
-                if (found.unit != subject.unit)
-                    continue;
+            report.units = std::move(*units);
+            for (ReportUnit &found : report.units)
                 found.describe(subject);
-                report.units.push_back(std::move(found));
-            }
             made(std::move(report));
         }));
 }
