@@ -167,6 +167,7 @@ Application::Application(QApplication &qt, const Options &options)
         look.language = options.language;
     if (options.fontScale)
         look.fontScale = *options.fontScale;
+    m_settings.wear(look);
     translate(look.language);
     dress(look);
     m_engine = std::make_unique<Engine>(families(), !options.demo);

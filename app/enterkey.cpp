@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/enterkey.h"
 
+#include "widgets/common/holdbutton.h"
+
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QKeyEvent>
@@ -36,7 +38,8 @@ bool EnterKey::eventFilter(QObject *watched, QEvent *event)
     if (auto *view = qobject_cast<QAbstractItemView *>(watched))
         return tick(*view);
     auto *button = qobject_cast<QAbstractButton *>(watched);
-    if (!button || !button->isEnabled())
+    const auto *held = qobject_cast<HoldButton *>(watched); // as long as the key
+    if (!button || !button->isEnabled() || (held && held->isHoldNeeded()))
         return false;
     press(*button);
     return true;

@@ -62,11 +62,9 @@ void KeyDesk::apply()
 void KeyDesk::nameTabs()
 {
     auto *tabs = m_window.findChild<PageTabs *>();
-    for (int i = 0; i < tabs->count(); ++i) {
-        if (tabs->isTabEnabled(i))
-            tabs->setTabToolTip(i,
-                tr("%1  %2", "page, key").arg(tabs->tabText(i), keyShown(*tabs, QStringLiteral("Ctrl+%1").arg(i + 1))));
-    }
+    for (int i = 0; i < tabs->count(); ++i)
+        tabs->setHint(
+            i, tr("%1  %2", "page, key").arg(tabs->tabText(i), keyShown(*tabs, QStringLiteral("Ctrl+%1").arg(i + 1))));
 }
 
 } // namespace mb

@@ -101,7 +101,7 @@ void LinkOwners::take(const LinkView &link)
 {
     auto lock = std::make_unique<QLockFile>(fileOf(link.address));
     lock->setStaleLockTime(0);
-    if (!lock->tryLock()) {
+    if (!lock->tryLock() && lock->error() == QLockFile::LockFailedError) { // not: its folder is full
         const QString owner = otherOwner(link.address);
         m_workbench.report(Severity::Caution, qt(link.name),
             tr("%1 has this link too. Agree who drives: two masters on one motor disturb each other.").arg(owner));

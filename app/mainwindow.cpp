@@ -62,7 +62,7 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     buildPages();
     buildDocks(); // beside the pages: they take what these leave
     buildProduction();
-    setStatusBar(new StatusBar(workbench, theme, this));
+    buildStatus();
     m_keys = new WindowKeys(
         {*m_pages, *m_docks, *m_menu, *m_help, settings}, *this,
         [this] { m_production->show(!m_production->isShown()); }, [this] { rename(); });
@@ -177,6 +177,16 @@ void MainWindow::addAbovePages(QWidget &strip)
     m_pages->addAbovePages(strip);
 }
 
+void MainWindow::buildStatus()
+{
+    auto *const status = new StatusBar(m_workbench, m_theme, this);
+    setStatusBar(status);
+    connect(m_pages, &PageStack::shownChanged, status, [this, status] {
+        if (shownPage() == PageId::Log)
+            status->forget();
+    });
+}
+
 void MainWindow::buildProduction()
 {
     auto *bench = new ProductionPage(m_workbench, families(), m_theme, m_faces);
@@ -250,7 +260,7 @@ void MainWindow::follow()
     m_header->setNotices(m_banners->count());
     m_station->follow();
     const QString reason = shot.devices.empty() ? tr("needs a device; open a link first") : QString();
-    for (const PageId id : {PageId::Parameters, PageId::Tune, PageId::Design})
+    for (const PageId id : {PageId::Tune, PageId::Design})
         m_pages->setUnavailable(id, reason);
     followInspector();
 }

@@ -69,6 +69,7 @@ private:
     void buildDocks();
     void buildPages();
     void addPages();
+    void buildStatus();
     void buildProduction();
     QWidget *makeOverview(QWidget *parent);
     void rename();

@@ -28,7 +28,6 @@ PageStack::PageStack(
     Workbench &workbench, Selection &selection, const Arming &arming, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
-    , m_selection(selection)
     , m_arming(arming)
     , m_theme(theme)
     , m_tabs(new PageTabs(theme, this))
@@ -85,6 +84,10 @@ QWidget *PageStack::page(PageId id)
 
 void PageStack::showPage(PageId id)
 {
+    if (!isAvailable(id)) {
+        m_workbench.report(Severity::Info, title(id), m_tabs->tabToolTip(static_cast<int>(id)));
+        return;
+    }
     m_tabs->setCurrentIndex(static_cast<int>(id));
     followTab();
 }
@@ -167,7 +170,7 @@ void PageStack::followLine()
     const bool ofDevice = shown() == PageId::Parameters || shown() == PageId::Tune || shown() == PageId::Design;
     const bool tall = window()->height() >= m_theme.theme().u(tallEnough);
     m_states->setWanted(shown() == PageId::Tune && tall);
-    m_line->setVisible(ofDevice && tall && m_workbench.snapshot().device(m_selection.device()));
+    m_line->setWanted(ofDevice && tall);
 }
 
 } // namespace mb

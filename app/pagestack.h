@@ -36,6 +36,7 @@ public:
     void addAbovePages(QWidget &strip);
 
     [[nodiscard]] QWidget *page(PageId id);
+    /// Where it is not available that is said instead.
     void showPage(PageId id);
     [[nodiscard]] PageId shown() const;
     [[nodiscard]] QWidget *shownPage() { return page(shown()); }
@@ -60,7 +61,6 @@ private:
     void followLine();
 
     Workbench &m_workbench;
-    Selection &m_selection;
     const Arming &m_arming;
     const ThemeSource &m_theme;
     PageTabs *m_tabs = nullptr;

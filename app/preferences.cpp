@@ -22,11 +22,12 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <set>
+
 namespace mb {
 namespace {
 
-constexpr int letters = 90;                        ///< letters, so that a command and its key stand in one line
-constexpr int sizes[] = {100, 125, 150, 175, 200}; ///< % of the desktop's text
+constexpr int letters = 90; ///< letters, so that a command and its key stand in one line
 
 void choose(QComboBox &box, const QVariant &data)
 {
@@ -72,9 +73,10 @@ QWidget *Preferences::makeLook(const Look &look)
         m_language->addItem(name, code);
     choose(*m_language, look.language);
     m_size = new QComboBox(this);
-    for (const int size : sizes)
+    const int worn = qRound(look.fontScale * 100.0);
+    for (const int size : std::set{100, 125, 150, 175, 200, worn}) // % of the desktop's text
         m_size->addItem(tr("%1 %").arg(size), size);
-    choose(*m_size, qRound(look.fontScale * 100.0));
+    choose(*m_size, worn);
     m_units = new QComboBox(this);
     m_units->addItem(tr("counts"), false);
     m_units->addItem(tr("rpm and degrees"), true);

@@ -9,6 +9,7 @@
 #include "widgets/control/envelopebook.h"
 
 #include <QDir>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -57,17 +58,27 @@ QJsonObject settingsOf(const DeviceView &device)
         : parametersToJson({*device.family, device.identity, device.selector, *device.parameters}, indices);
 }
 
-Result<void> copyLayouts(const QString &from, const QString &to)
+Result<void> makeFolder(const QString &folder)
 {
-    for (const QString &name : QDir(from).entryList({QStringLiteral("*.json")}, QDir::Files)) {
-        MB_TRY(const auto bytes, loadFile((from + QLatin1Char('/') + name).toStdString(), largestProject));
-        if (auto written = writeIfNew(to + QLatin1Char('/') + name, bytes); !written)
-            return written;
-    }
-    return {};
+    return QDir().mkpath(folder)
+        ? Result<void>()
+        : fail(Fault::OutOfRange, mb::say("the folder %1 cannot be written", folder.toStdString()));
 }
 
 } // namespace
+
+Result<void> copyLayouts(const QString &from, const QString &to, bool over)
+{
+    MB_TRY_VOID(makeFolder(to));
+    for (const QString &name : QDir(from).entryList({QStringLiteral("*.json")}, QDir::Files)) {
+        const QString copy = to + QLatin1Char('/') + name;
+        if (!over && QFile::exists(copy))
+            continue;
+        MB_TRY(const auto bytes, loadFile((from + QLatin1Char('/') + name).toStdString(), largestProject));
+        MB_TRY_VOID(writeIfNew(copy, bytes));
+    }
+    return {};
+}
 
 Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
 {
@@ -92,9 +103,8 @@ Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
 
 Result<void> Project::save(const QString &folder) const
 {
-    for (const char *name : {"parameters", "plots"}) {
-        if (!QDir().mkpath(folder + QLatin1Char('/') + QLatin1String(name)))
-            return fail(Fault::OutOfRange, say("the folder %1 cannot be written", folder.toStdString()));
+    for (const char *name : {"/parameters", "/plots"}) {
+        MB_TRY_VOID(makeFolder(folder + QLatin1String(name)));
     }
     QJsonArray rows;
     for (const ProjectUnit &unit : units) {
@@ -102,16 +112,14 @@ Result<void> Project::save(const QString &folder) const
         if (!unit.parameters.isEmpty()) {
             row.insert(QStringLiteral("parameters"), parametersFile(unit));
             const QString file = folder + QLatin1Char('/') + parametersFile(unit);
-            if (auto written = writeIfNew(file, QJsonDocument(unit.parameters).toJson()); !written)
-                return written;
+            MB_TRY_VOID(writeIfNew(file, QJsonDocument(unit.parameters).toJson()));
         }
         rows.append(row);
     }
     const QJsonObject object{{QStringLiteral("project"), projectFormat},
         {QStringLiteral("links"), QJsonArray::fromStringList(links)}, {QStringLiteral("units"), rows}};
     if (!layouts.isEmpty()) {
-        if (auto copied = copyLayouts(layouts, folder + QStringLiteral("/plots")); !copied)
-            return copied;
+        MB_TRY_VOID(copyLayouts(layouts, folder + QStringLiteral("/plots"), true));
     }
     return writeIfNew(folder + QLatin1Char('/') + QLatin1String(projectFile), QJsonDocument(object).toJson());
 }

@@ -42,4 +42,7 @@ struct Project {
     [[nodiscard]] const ProjectUnit *unitOf(const DeviceView &device) const;
 };
 
+/// Into a folder that is made where it is not there yet; `over`: also what has the name of another one there.
+[[nodiscard]] Result<void> copyLayouts(const QString &from, const QString &to, bool over);
+
 } // namespace mb

@@ -3,10 +3,11 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
+#include "widgets/common/guarded.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/control/envelopebook.h"
 
-#include <QDir>
+#include <memory>
 
 namespace mb {
 
@@ -52,12 +53,8 @@ void ProjectDesk::open(const QString &folder)
     m_applied.clear();
     Q_EMIT folderChosen(folder);
     if (!m_layouts.isEmpty() && !m_project.layouts.isEmpty()) {
-        QDir().mkpath(m_layouts);
-        for (const QString &name : QDir(m_project.layouts).entryList({QStringLiteral("*.json")}, QDir::Files)) {
-            const QString own = m_layouts + QLatin1Char('/') + name;
-            if (!QFile::exists(own)) // a layout of one's own is not written over
-                QFile::copy(m_project.layouts + QLatin1Char('/') + name, own);
-        }
+        if (const auto kept = copyLayouts(m_project.layouts, m_layouts, false); !kept)
+            m_workbench.report(Severity::Caution, {}, errorText(kept.error()));
     }
     for (const QString &link : m_project.links) {
         if (!m_workbench.snapshot().link(link.toStdString()))
@@ -77,18 +74,30 @@ void ProjectDesk::follow()
     }
 }
 
+/// A dialect that the scan did not find is its user's to confirm, in the inspector: the same code may mean another motion.
 void ProjectDesk::apply(const DeviceView &device, const ProjectUnit &unit)
 {
+    const auto open = std::make_shared<int>(1); // answers, and this itself
+    const auto told = guarded(this, [this, title = titleOf(device), open](const Result<void> &done) {
+        if (!done)
+            m_workbench.report(Severity::Caution, title, errorText(done.error()));
+        else if (--*open == 0)
+            m_workbench.report(Severity::Info, title, tr("scales and limits of the project are in force"));
+    });
     for (const auto &[key, value] : unit.calibration) {
         const auto known = device.profile->calibration.find(key);
-        if (known == device.profile->calibration.end() || known->second != value)
-            m_workbench.send(orders::Calibrate{device.id, key, value});
+        if (known != device.profile->calibration.end() && known->second == value)
+            continue;
+        ++*open;
+        m_workbench.send(orders::Calibrate{device.id, key, value}, told);
     }
-    if (!unit.dialect.empty() && unit.dialect != device.profile->dialect)
-        m_workbench.send(orders::SetDialect{device.id, unit.dialect});
+    if (!unit.dialect.empty() && unit.dialect != device.identity->dialect)
+        m_workbench.report(Severity::Caution, titleOf(device),
+            tr("dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks")
+                .arg(qt(unit.dialect)));
     if (unit.limits != Envelope())
         m_limits.enter(device.unit, unit.limits);
-    m_workbench.report(Severity::Info, titleOf(device), tr("scales and limits of the project are in force"));
+    told(Result<void>());
 }
 
 } // namespace mb

@@ -8,8 +8,9 @@
 
 namespace mb {
 
-/// Writes the machine into a folder and puts such a folder into force: its links are opened; scales, dialects and limits are
-/// given to each unit once it is there. What a unit itself holds is not touched. GUI thread; the book outlives it.
+/// Writes the machine into a folder and puts such a folder into force: its links are opened; scales and limits are given to each unit
+/// once it is there, and of a dialect that it was not found to speak it is said so. What a unit itself holds is not touched. GUI thread; the
+/// book outlives it.
 class ProjectDesk : public QObject {
     Q_OBJECT
 public:

@@ -13,7 +13,9 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::seconds writingTime{2};
-constexpr std::array pageNames{"overview", "parameters", "tune", "design", "plots", "firmware", "bus", "log"};
+constexpr std::array pageNames{
+    "overview", "parameters", "tune", "design", "plots", "firmware", "bus", "log", "reports"};
+static_assert(pageNames.size() == static_cast<std::size_t>(PageId::Reports) + 1);
 
 } // namespace
 

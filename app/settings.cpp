@@ -39,6 +39,8 @@ void Settings::setValue(const QString &key, const QVariant &value)
 
 Look Settings::look() const
 {
+    if (m_worn)
+        return *m_worn;
     Look look;
     look.theme = theme();
     look.language = value(QStringLiteral("language")).toString();
@@ -53,6 +55,7 @@ Look Settings::look() const
 
 void Settings::setLook(const Look &look)
 {
+    m_worn.reset();
     setTheme(look.theme);
     setValue(QStringLiteral("language"), look.language);
     setValue(QStringLiteral("font-scale"), look.fontScale);

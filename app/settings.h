@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QSettings;
 
@@ -37,8 +38,11 @@ public:
     /// Of themeNames(); empty until chosen.
     [[nodiscard]] QString theme() const { return value(QStringLiteral("theme")).toString(); }
     void setTheme(const QString &theme) { setValue(QStringLiteral("theme"), theme); }
+    /// As it is worn, which is what was chosen last.
     [[nodiscard]] Look look() const;
     void setLook(const Look &look);
+    /// Of the command line: worn until another look is chosen, and not remembered.
+    void wear(const Look &look) { m_worn = look; }
     [[nodiscard]] QByteArray geometry() const { return value(QStringLiteral("geometry")).toByteArray(); }
     void setGeometry(const QByteArray &geometry) { setValue(QStringLiteral("geometry"), geometry); }
     /// Addresses that the user added by hand, opened again at the next start.
@@ -69,6 +73,7 @@ private:
 
     std::unique_ptr<QSettings> m_store;
     QVariantMap m_values; ///< without a store
+    std::optional<Look> m_worn;
 };
 
 } // namespace mb

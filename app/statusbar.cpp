@@ -30,27 +30,31 @@ StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *pa
     addWidget(m_message, 1);
     addPermanentWidget(m_footprint);
     m_messageTime.setSingleShot(true);
-    connect(&m_messageTime, &QTimer::timeout, m_message, [label = m_message] {
-        label->clear();
-        setSpoken(*label, {}, {});
-    });
+    connect(&m_messageTime, &QTimer::timeout, this, &StatusBar::forget);
     connect(&workbench, &Workbench::noticed, this, &StatusBar::showNotice);
     connect(&m_footprintTime, &QTimer::timeout, this, &StatusBar::showFootprint);
     m_footprintTime.start(footprintTime);
     showFootprint();
 }
 
+void StatusBar::forget()
+{
+    m_isGrave = false;
+    m_message->clear();
+    setSpoken(*m_message, {}, {});
+}
+
 void StatusBar::showNotice(const Notice &notice)
 {
+    if (m_isGrave && notice.severity != Severity::Danger)
+        return; // the page Log has it
+    m_isGrave = notice.severity == Severity::Danger;
     const QString time = clockText(momentOf(m_workbench, notice.time));
     const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
     m_message->setText(time + QLatin1Char(' ') + words);
     announce(*m_message, words);
-    setTone(*m_message,
-        notice.severity == Severity::Danger        ? Tone::Danger
-            : notice.severity == Severity::Caution ? Tone::Caution
-                                                   : Tone::Text);
-    if (notice.severity == Severity::Danger)
+    setTone(*m_message, m_isGrave ? Tone::Danger : notice.severity == Severity::Caution ? Tone::Caution : Tone::Text);
+    if (m_isGrave)
         m_messageTime.stop();
     else
         m_messageTime.start(messageTime);

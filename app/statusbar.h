@@ -12,12 +12,18 @@ namespace mb {
 
 class ThemeSource;
 
-/// The bar below the pages: what was told last, for a while or, where it is grave, until something else is; at the right the samples of
-/// all devices, those that were lost, and the memory of the program. GUI thread.
+/// The bar below the pages: what was told last, for a while or, where it is grave, until somebody has read it, by a click or on the page Log;
+/// at the right the samples of all devices, those that were lost, and the memory of the program. GUI thread.
 class StatusBar : public QStatusBar {
     Q_OBJECT
 public:
     StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent);
+
+    /// What it says was read.
+    void forget();
+
+protected:
+    void mousePressEvent(QMouseEvent *) override { forget(); }
 
 private:
     void showNotice(const Notice &notice);
@@ -25,6 +31,7 @@ private:
 
     Workbench &m_workbench;
     QLabel *m_message = nullptr;
+    bool m_isGrave = false; ///< what it says
     QLabel *m_footprint = nullptr;
     QTimer m_messageTime;
     QTimer m_footprintTime;

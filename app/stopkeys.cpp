@@ -14,7 +14,7 @@ constexpr unsigned long scanTime = 50; ///< ms between two keys of a scanner are
 
 bool isTyped(const QKeyEvent &key)
 {
-    return !key.text().isEmpty() && key.text().front().isPrint();
+    return !key.isAutoRepeat() && !key.text().isEmpty() && key.text().front().isPrint();
 }
 
 } // namespace
@@ -28,8 +28,6 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
     if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
         return false;
     const auto &key = static_cast<const QKeyEvent &>(*event);
-    if (key.isAutoRepeat())
-        return false;
     if (key.key() == Qt::Key_Escape || key.key() == Qt::Key_Pause) {
         announce(key, key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
         return false; // it still closes dialogs and clears fields
@@ -39,7 +37,8 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
         return false;
     }
     announce(key, QStringLiteral("Space"));
-    return event->type() == QEvent::KeyPress; // Space never activates a button
+    return event->type()
+        == QEvent::KeyPress; // Space never activates a button, ticks a box or opens a list, however long it is held
 }
 
 /// Of Space.
@@ -59,8 +58,8 @@ void StopKeys::comeFirst()
 
 void StopKeys::announce(const QKeyEvent &key, const QString &name)
 {
-    // One press passes here several times: as override, for the window, for the widget.
-    if (key.timestamp() != 0 && key.timestamp() == m_announced)
+    // One press passes here several times: as override, for the window, for the widget, and as long as it is held.
+    if (key.isAutoRepeat() || (key.timestamp() != 0 && key.timestamp() == m_announced))
         return;
     m_announced = key.timestamp();
     Q_EMIT stopPressed(name);

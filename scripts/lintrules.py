@@ -122,6 +122,8 @@ GLUED = [
      "a title is for people: OperationStatus::kind tells what a job does"),
     (r'\b(?:qt|fromStdString)\([^;"]*?\b\w*[eE]rror(?:\(\))?(?:\.|->)text\(\)',
      "this is English in every language: errorText() of widgets/common/devicetext"),
+    (r'\btr\(\s*(?:"(?:[^"\\\n]|\\.)*"\s*)*?"(?:[^"\\\n]|\\.)*\b(?:F\d+|(?:Ctrl|Alt|Meta|Shift)\+(?!C\b)(?:Shift\+)?[A-Z0-9]\w*)\b',
+     "people choose their keys: keyShown() or nameKeys() (widgets/common/pagekeys.h) says which one it is"),
 ]
 
 

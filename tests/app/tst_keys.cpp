@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Preferences with the key of every command: changed by pressing it, kept, in force at once, in every window that says it.
+#include "app/keydesk.h"
 #include "app/keyspanel.h"
 #include "app/preferences.h"
 #include "support/windowtests.h"
@@ -65,6 +66,7 @@ private Q_SLOTS:
     void preferencesListEveryCommandOfEveryPage();
     void aKeyIsChangedByPressingItAndHoldsAtOnce();
     void aClashIsRefusedAndStopsStayStops();
+    void noLabelNamesAKeyThatIsNoMore();
     void chosenKeysComeBackWithTheProgram();
 
 private:
@@ -95,7 +97,8 @@ void KeysTest::theKeysAreThoseOfTheTable()
     check(*window.page(PageId::Design), "F5 F6 Ctrl+P");
     check(*window.page(PageId::Plots), "L P R 0");
     check(*window.page(PageId::Firmware), "F5");
-    check(*window.page(PageId::Bus), "P Ctrl+F");
+    check(*window.page(PageId::Bus), "P R Ctrl+F");
+    check(*window.page(PageId::Log), "Ctrl+F");
     check(*window.page(PageId::Reports), "Ctrl+P Ctrl+F");
     check(bench.part<ProductionPage>(), "F5 F8");
 }
@@ -173,6 +176,37 @@ void KeysTest::aClashIsRefusedAndStopsStayStops()
     select(dialog, QStringLiteral("stop every motor"));
     QVERIFY(!field->isEnabled());
     dialog.reject();
+}
+
+void KeysTest::noLabelNamesAKeyThatIsNoMore()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    MainWindow &window = bench.window();
+    KeyChoices choices;
+    const std::pair<PageId, const char *> pages[]{{PageId::Parameters, "ParametersPage/Ctrl+Shift+W"},
+        {PageId::Tune, "TunePage/F5"}, {PageId::Plots, "PlotsPage/L"}};
+    for (const auto &[page, row] : pages) {
+        (void)window.page(page);
+        choices[QLatin1String(row)] = {QKeySequence(QStringLiteral("Alt+Shift+Q"))};
+    }
+    choices[QStringLiteral("ProductionPage/F8")] = {QKeySequence(QStringLiteral("Alt+Shift+Q"))};
+    window.findChild<KeyDesk *>()->use(choices);
+    bench.arming().arm(bench.device(WindowBench::tuned)->id);
+    const auto says = [](const QWidget &place, const char *words) {
+        const auto labels = place.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [words](const QLabel *label) {
+            return label->text().contains(QLatin1String(words)) || label->toolTip().contains(QLatin1String(words));
+        });
+    };
+    window.showPage(PageId::Tune);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*window.page(PageId::Tune), "Run begins"), patience);
+    QVERIFY(!says(*window.page(PageId::Tune), "F5"));
+    QVERIFY(says(*window.page(PageId::Parameters), "Alt+Shift+Q write"));
+    QVERIFY(says(*window.page(PageId::Plots), "Alt+Shift+Q cursors"));
+    QVERIFY(says(bench.part<ProductionPage>(), "Alt+Shift+Q"));
+    QVERIFY(!says(bench.part<ProductionPage>(), "F8"));
 }
 
 void KeysTest::chosenKeysComeBackWithTheProgram()

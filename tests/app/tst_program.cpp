@@ -78,6 +78,7 @@ private Q_SLOTS:
     void theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord();
     void theWordsOfQtAreInTheLanguageToo();
     void unitsAndSoundsAreThePersonsChoice();
+    void preferencesKnowWhatTheCommandLineChose();
     void preferencesNameTheFoldersWhereThingsAreKept();
     void theGuardianIsChecked();
     void theThemeMayBeTheDesktops();
@@ -176,6 +177,24 @@ void ProgramTest::unitsAndSoundsAreThePersonsChoice()
     dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
     QTRY_VERIFY_WITH_TIMEOUT(revolutions(), patience); // in the window that is made anew
     QVERIFY(!bench.part<ProductionPage>().findChild<QCheckBox *>(QStringLiteral("sound"))->isChecked());
+}
+
+void ProgramTest::preferencesKnowWhatTheCommandLineChose()
+{
+    WindowBench bench(1.1, QStringLiteral("de"));
+    QTest::keyClick(&bench.window(), Qt::Key_Comma, Qt::ControlModifier);
+    auto *dialog = bench.window().findChild<Preferences *>();
+    const Look worn = dialog->look();
+    QCOMPARE(worn.language, QStringLiteral("de"));
+    QCOMPARE(worn.fontScale, 1.1);
+    const double size = bench.window().font().pointSizeF();
+    const QWidget *before = &bench.window();
+    for (QCheckBox *box : dialog->findChildren<QCheckBox *>())
+        box->setChecked(!worn.sounds);
+    dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+    QTRY_VERIFY_WITH_TIMEOUT(&bench.window() != before, patience);
+    QCOMPARE(firstTab(bench), QStringLiteral("Übersicht"));
+    QCOMPARE(bench.window().font().pointSizeF(), size);
 }
 
 void ProgramTest::preferencesNameTheFoldersWhereThingsAreKept()

@@ -13,6 +13,8 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
+#include <algorithm>
+
 using namespace mb;
 using namespace mb::test;
 
@@ -33,6 +35,8 @@ private Q_SLOTS:
     void whatDidNotChangeIsNotWritten();
     void aFolderThatIsNoneIsRefusedInWords();
     void aFolderIsPutIntoForce();
+    void noDialectOfAFolderIsSpokenUnlessTheScanFoundIt();
+    void whatIsRefusedIsSaidAndNotToBeInForce();
 };
 
 void ProjectTest::aMachineIsWrittenAndReadAgain()
@@ -143,6 +147,74 @@ void ProjectTest::aFolderIsPutIntoForce()
     QCOMPARE(calls.size(), std::size_t(1));
     QVERIFY(calls[0].value == 2048.0);
     QVERIFY(limits.entered("dmc60c 210334").speed == 9000.0);
+}
+
+namespace {
+
+/// A folder of one drive, and that drive, which has no serial number.
+struct Folder {
+    QTemporaryDir folder;
+    FakeWorkbench workbench;
+    EnvelopeBook limits;
+    QWidget window;
+    ProjectDesk desk{workbench, limits, {}, window};
+
+    void open(const char *dialect, const std::map<std::string, double> &calibration)
+    {
+        Project project;
+        ProjectUnit unit;
+        unit.selector = "socketcan:can0/abstractdc:3";
+        unit.dialect = dialect;
+        unit.calibration = calibration;
+        project.units = {unit};
+        QVERIFY(project.save(folder.path()));
+        DeviceView device;
+        device.id = DeviceId{1};
+        device.family = findFamily(families(), "abstractdc");
+        device.selector = unit.selector;
+        device.identity.edit().dialect = "F";
+        workbench.shot.devices = {device};
+        desk.open(folder.path());
+    }
+    [[nodiscard]] int said(Severity severity) const
+    {
+        return static_cast<int>(std::ranges::count(workbench.lines, severity, &Notice::severity));
+    }
+};
+
+} // namespace
+
+void ProjectTest::noDialectOfAFolderIsSpokenUnlessTheScanFoundIt()
+{
+    Folder other;
+    other.open("D", {});
+    QVERIFY2(other.workbench.given<orders::SetDialect>().empty(), "its code of a position is full power in another");
+    QCOMPARE(other.said(Severity::Caution), 1);
+    QVERIFY(other.workbench.lines.front().text.contains(QStringLiteral("dialect D")));
+    Folder same;
+    same.open("F", {});
+    QCOMPARE(same.said(Severity::Caution), 0);
+    QCOMPARE(same.said(Severity::Info), 1);
+}
+
+void ProjectTest::whatIsRefusedIsSaidAndNotToBeInForce()
+{
+    Folder refused;
+    refused.open("", {{"counts_per_revolution", 2048.0}, {"current_scale", 0.5}});
+    auto calls = refused.workbench.given<orders::Calibrate>();
+    QCOMPARE(calls.size(), std::size_t(2));
+    QCOMPARE(refused.said(Severity::Info), 0);
+    calls[0].finished(fail(Fault::Unsafe, say("stop the motor before its calibration is changed")));
+    calls[1].finished({});
+    QCOMPARE(refused.said(Severity::Info), 0);
+    QCOMPARE(refused.said(Severity::Caution), 1);
+    Folder kept;
+    kept.open("", {{"counts_per_revolution", 2048.0}, {"current_scale", 0.5}});
+    calls = kept.workbench.given<orders::Calibrate>();
+    calls[0].finished({});
+    QCOMPARE(kept.said(Severity::Info), 0);
+    calls[1].finished({});
+    QCOMPARE(kept.said(Severity::Info), 1);
 }
 
 MB_WINDOW_TEST(ProjectTest);

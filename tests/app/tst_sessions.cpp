@@ -107,7 +107,9 @@ private Q_SLOTS:
     void aRunThatGoesOnIsNeitherEarlierNorCrashed();
     void oneThatNeitherRunsNorEndedHasCrashed();
     void aCrashLeavesAReport();
+    void everyPageHasAName();
     void whoHasALinkIsSaid();
+    void aFolderThatCannotBeWrittenIsNobodysLink();
     void whoHasAPortIsFound();
     void theWindowComesBackToWhereItWas();
     void aSessionTakesNobodysUnitAway_data();
@@ -242,6 +244,30 @@ void SessionsTest::whoHasALinkIsSaid()
     here.shot.links.push_back(simulated);
     here.publish();
     QCOMPARE(shared.count(), 1);
+}
+
+void SessionsTest::aFolderThatCannotBeWrittenIsNobodysLink()
+{
+    const QTemporaryDir folder;
+    QFile inTheWay(folder.filePath(QStringLiteral("links")));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    FakeWorkbench here;
+    LinkOwners owners(here, inTheWay.fileName(), nullptr);
+    const QSignalSpy shared(&owners, &LinkOwners::shared);
+    LinkView can;
+    can.address = "socketcan:can0";
+    here.shot.links = {can};
+    here.publish();
+    QCOMPARE(shared.count(), 0);
+}
+
+void SessionsTest::everyPageHasAName()
+{
+    QStringList names;
+    for (int page = 0; page <= static_cast<int>(PageId::Reports); ++page)
+        names << pageName(page);
+    QCOMPARE(names.removeDuplicates(), 0);
+    QVERIFY(!names.contains(QString()));
 }
 
 void SessionsTest::whoHasAPortIsFound()

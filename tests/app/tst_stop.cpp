@@ -9,11 +9,16 @@
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDialog>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTimer>
+#include <QVBoxLayout>
 #include <QWindow>
 
 using namespace mb;
@@ -44,6 +49,7 @@ private Q_SLOTS:
     void spaceStopsInAFieldForNumbers();
     void spaceStopsWhateverIsHeldWithItAndPressesNoButton_data();
     void spaceStopsWhateverIsHeldWithItAndPressesNoButton();
+    void spaceThatIsHeldTicksNothingAndOpensNothing();
     void spaceIsTextInProductionOnlyWhileAScannerTypes();
     void theButtonStopsOnPress();
     void closingTheWindowStops();
@@ -52,6 +58,7 @@ private Q_SLOTS:
     void holdingTheLampArms();
     void lettingTheLampGoEarlyDoesNotArm();
     void aStopEndsWhatIsHeldToArmOrToBegin();
+    void enterHeldIsAHoldAndATapIsNone();
     void holdingTheArmKeysArms();
     void lettingAnyOfTheArmKeysGoEarlyDoesNothing_data();
     void lettingAnyOfTheArmKeysGoEarlyDoesNothing();
@@ -181,6 +188,29 @@ void StopTest::spaceStopsWhateverIsHeldWithItAndPressesNoButton()
     verifyStopped(QStringLiteral("Space"));
 }
 
+void StopTest::spaceThatIsHeldTicksNothingAndOpensNothing()
+{
+    QListWidget list(&m_bench->window());
+    list.addItem(QStringLiteral("unit"));
+    list.item(0)->setCheckState(Qt::Unchecked);
+    list.setCurrentRow(0);
+    QComboBox box(&m_bench->window());
+    box.addItems({QStringLiteral("a"), QStringLiteral("b")});
+    drive();
+    for (QWidget *const focus : {static_cast<QWidget *>(&list), static_cast<QWidget *>(&box)}) {
+        focus->show();
+        focus->setFocus();
+        QVERIFY(focus->hasFocus());
+        for (const bool again : {false, true, true, true}) {
+            QKeyEvent press(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier, QStringLiteral(" "), again);
+            QApplication::sendEvent(focus, &press);
+        }
+    }
+    QCOMPARE(list.item(0)->checkState(), Qt::Unchecked);
+    QVERIFY(!box.view()->isVisible());
+    verifyStopped(QStringLiteral("Space"));
+}
+
 void StopTest::spaceIsTextInProductionOnlyWhileAScannerTypes()
 {
     drive();
@@ -291,6 +321,41 @@ void StopTest::aStopEndsWhatIsHeldToArmOrToBegin()
     QVERIFY(begin.isDown());
     QTest::mousePress(&m_bench->part<StopButton>(), Qt::LeftButton);
     QVERIFY(!begin.isDown());
+}
+
+void StopTest::enterHeldIsAHoldAndATapIsNone()
+{
+    const ThemeSource theme(darkTheme());
+    QDialog dialog(&m_bench->window());
+    auto *const column = new QVBoxLayout(&dialog);
+    QLineEdit field;
+    HoldButton begin(theme, Symbol::Play, QStringLiteral("Turn"));
+    column->addWidget(&field);
+    column->addWidget(&begin);
+    begin.setHoldNeeded(true);
+    begin.setHoldMilliseconds(60);
+    const QSignalSpy begun(&begin, &HoldButton::activated);
+    dialog.show();
+    QApplication::setActiveWindow(&dialog);
+    const auto wait = [] {
+        QTimer later; // than a hold would have ended
+        later.start(200);
+        QSignalSpy(&later, &QTimer::timeout).wait();
+    };
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_Return);
+    wait();
+    QVERIFY2(begun.isEmpty(), "it is nobody's default button");
+    begin.setFocus();
+    QTest::keyClick(&begin, Qt::Key_Return);
+    wait();
+    QVERIFY2(begun.isEmpty(), "it was not held");
+    QTest::keyPress(&begin, Qt::Key_Return);
+    QTRY_COMPARE(begun.count(), 1);
+    QTest::keyRelease(&begin, Qt::Key_Return);
+    begin.setHoldNeeded(false);
+    QTest::keyClick(&begin, Qt::Key_Return);
+    QTRY_COMPARE(begun.count(), 2);
 }
 
 void StopTest::holdingTheArmKeysArms()

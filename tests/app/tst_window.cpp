@@ -2,7 +2,9 @@
 // The whole program against simulated controllers: find, edit, plot, update.
 #include "windowbench.h"
 
+#include "app/statusbar.h"
 #include "support/windowtests.h"
+#include "widgets/common/segmented.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/overviewpage.h"
@@ -15,6 +17,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTreeView>
 
@@ -30,6 +33,9 @@ private Q_SLOTS:
     void thePlotShowsSamplesOfTheDevice();
     void anUpdateEndsVerified();
     void anImageThatIsNoneStartsNothing();
+    void aPageThatNeedsADeviceSaysSoAndAFileNeedsNone();
+    void aTabNamesItsKeyAlsoOnceItCanBeUsed();
+    void aDangerStandsUntilItIsRead();
 };
 
 void WindowTest::pagesThatNobodyAskedForAreMadeOnceTheWindowIsPainted()
@@ -175,6 +181,66 @@ void WindowTest::anImageThatIsNoneStartsNothing()
     const auto before = bench.engine().snapshot().time;
     QTRY_VERIFY_WITH_TIMEOUT(bench.engine().snapshot().time > before + std::chrono::milliseconds(200), patience);
     QVERIFY(!bench.engine().snapshot().operation(bench.device(WindowBench::inBootloader)->id));
+}
+
+void WindowTest::aPageThatNeedsADeviceSaysSoAndAFileNeedsNone()
+{
+    WindowBench bench;
+    MainWindow &window = bench.window();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    window.showPage(PageId::Tune);
+    for (const LinkView &link : bench.engine().snapshot().links)
+        bench.engine().send(orders::CloseLink{link.address});
+    QTRY_VERIFY_WITH_TIMEOUT(bench.engine().snapshot().devices.empty(), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(window.shownPage(), PageId::Overview, patience);
+    QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+    QCOMPARE(window.shownPage(), PageId::Overview);
+    QVERIFY(bench.engine().notices().back().text.contains(QStringLiteral("needs a device")));
+    QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
+    QSignalSpy changed(&bench.engine(), &Workbench::changed);
+    QVERIFY(changed.wait(patience));
+    QCOMPARE(window.shownPage(), PageId::Parameters);
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("unit.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})");
+    file.close();
+    auto &page = bench.page<ParametersPage>(PageId::Parameters);
+    page.openFile(file.fileName());
+    QVERIFY(changed.wait(patience));
+    QVERIFY(page.view().isVisible());
+    QCOMPARE(countParameters(page.model()).changed, 1);
+}
+
+void WindowTest::aTabNamesItsKeyAlsoOnceItCanBeUsed()
+{
+    WindowBench bench;
+    const PageTabs &tabs = bench.part<PageTabs>();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    QVERIFY2(tabs.tabToolTip(2).contains(QStringLiteral("Ctrl+3")), qPrintable(tabs.tabToolTip(2)));
+}
+
+void WindowTest::aDangerStandsUntilItIsRead()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    const auto says = [&bench](const char *words) {
+        const auto labels = bench.part<StatusBar>().findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [words](const QLabel *label) { return label->text().contains(QLatin1String(words)); });
+    };
+    for (const bool byLog : {false, true}) {
+        bench.engine().report(Severity::Danger, {}, QStringLiteral("the limits were not kept"));
+        bench.engine().report(Severity::Info, {}, QStringLiteral("found something"));
+        QVERIFY(says("were not kept"));
+        if (byLog)
+            bench.window().showPage(PageId::Log);
+        else
+            QTest::mouseClick(&bench.part<StatusBar>(), Qt::LeftButton);
+        QVERIFY(!says("were not kept"));
+        bench.engine().report(Severity::Info, {}, QStringLiteral("found something"));
+        QVERIFY(says("found something"));
+    }
 }
 
 MB_WINDOW_TEST(WindowTest);

@@ -61,6 +61,8 @@ BAD = [
     ("app/meant5.cpp", "bool x = job.operation->status().title != updateTitle();\n", 2, "OperationStatus::kind"),
     ("widgets/common/english1.cpp", "auto x = qt(written.error().text());\n", 2, "errorText()"),
     ("widgets/common/english2.cpp", "auto x = QString::fromStdString(error.text());\n", 2, "errorText()"),
+    ("widgets/common/key1.cpp", 'auto x = tr("%1 rows. "\n            "F5 reads them");\n', 2, "keyShown()"),
+    ("widgets/common/key2.cpp", 'label->setText(tr("Ctrl+Shift+W writes"));\n', 2, "keyShown()"),
     ("tests/widgets/wait.cpp", "void f() { QTest::qWait(150); }\n", 2, "wait for a condition"),
     ("devices/model/number.cpp", "auto x = std::strtod(text, nullptr);\n", 2, "wire/number.h"),
     ("devices/families/one/number.cpp", "auto x = std::from_chars(a, b, c);\n", 2, "wire/number.h"),

@@ -33,6 +33,7 @@ class TestDeviceOrders : public QObject {
 private Q_SLOTS:
     void aNameIsSentAsItIsWritten_data();
     void aNameIsSentAsItIsWritten();
+    void aNumberIsTakenByItsOwnFamilyOnly();
     void onlyWhatSomebodyTickedMovesTogetherAndStaysSo();
 };
 
@@ -53,6 +54,24 @@ void TestDeviceOrders::aNameIsSentAsItIsWritten()
     dialog->setTextValue(name);
     dialog->accept();
     QCOMPARE(QString::fromUtf8(bench.workbench.given<orders::Rename>().at(0).name.c_str()), name);
+}
+
+void TestDeviceOrders::aNumberIsTakenByItsOwnFamilyOnly()
+{
+    TuneBench bench;
+    DeviceView own = nodeOf(4);
+    DeviceView other = nodeOf(3);
+    other.family = findFamily(families(), "abstractdc");
+    bench.workbench.shot.devices = {own, other, nodeOf(6)};
+    const auto assign = [&bench](int number) {
+        askRenumber(bench.workbench, {4}, *bench.page);
+        const auto dialogs = bench.page->findChildren<QInputDialog *>();
+        dialogs.back()->setIntValue(number);
+        dialogs.back()->accept();
+        return bench.workbench.given<orders::Renumber>().size();
+    };
+    QCOMPARE(assign(6), std::size_t(0));
+    QCOMPARE(assign(3), std::size_t(1));
 }
 
 void TestDeviceOrders::onlyWhatSomebodyTickedMovesTogetherAndStaysSo()

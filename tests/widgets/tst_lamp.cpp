@@ -28,6 +28,7 @@ private Q_SLOTS:
     void pressingWhileArmedAsksToDisarm();
     void becomingMovingEndsTheHold();
     void assistivePressFillsAndASecondOneCancels();
+    void assistivePressHoldsAButtonTooAndASecondOneCancels();
     void theLampKeepsItsWidth();
     void whatMayStillTurnIsSaidOnTwoLinesInTheSameWidth();
     void whatMayStillTurnCannotBeArmed();
@@ -189,6 +190,24 @@ void LampTest::assistivePressFillsAndASecondOneCancels()
     m_lamp->setHoldMilliseconds(20);
     m_lamp->click();
     QVERIFY(armed.wait(2000));
+}
+
+void LampTest::assistivePressHoldsAButtonTooAndASecondOneCancels()
+{
+    HoldButton button(m_theme, Symbol::Add, QStringLiteral("Send"), m_window.get());
+    button.show();
+    button.setHoldNeeded(true);
+    button.setHoldMilliseconds(60'000);
+    QSignalSpy activated(&button, &HoldButton::activated);
+    button.click();
+    button.click();
+    button.setHoldMilliseconds(20);
+    button.click();
+    button.giveUp(); // somebody said STOP
+    QCOMPARE(activated.count(), 0);
+    button.click();
+    QVERIFY(activated.wait(2000));
+    QCOMPARE(activated.count(), 1);
 }
 
 void LampTest::theLampKeepsItsWidth()

@@ -3,9 +3,11 @@
 #include "parameterbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/deviceline.h"
+#include "widgets/connection/inspector.h"
 #include "widgets/connection/livestatebar.h"
 
 using namespace mb;
@@ -20,6 +22,7 @@ private Q_SLOTS:
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
     void unitsAreThoseOfTheDevice();
     void aNameThatIsTheFamilysLeavesItsRoomToTheFirmware();
+    void aDeviceThatIsGoneTakesItsLineAndItsNumbersAlong();
 
 private:
     ThemeSource m_theme{lightTheme()};
@@ -56,7 +59,7 @@ void LiveStatesTest::aLimitThatHoldsIsSaidEverywhere()
     selection.select({1});
     DeviceLine line(workbench, selection, m_theme);
     line.resize(1100, 40);
-    line.show();
+    line.setWanted(true);
     DeviceCard card(m_theme, nullptr);
     const QString words = QStringLiteral("forward limit switch holds");
     QVERIFY(!lineOf(workbench.device(0)).contains(words));
@@ -149,7 +152,7 @@ void LiveStatesTest::unitsAreThoseOfTheDevice()
     selection.select({1});
     DeviceLine line(workbench, selection, m_theme);
     line.resize(1100, 40);
-    line.show();
+    line.setWanted(true);
     workbench.publish();
     DeviceCard card(m_theme, nullptr);
     card.show(workbench.device(0), workbench.time, false);
@@ -171,7 +174,7 @@ void LiveStatesTest::aNameThatIsTheFamilysLeavesItsRoomToTheFirmware()
     selection.select({1});
     DeviceLine line(workbench, selection, m_theme);
     line.resize(1048, 40);
-    line.show();
+    line.setWanted(true);
     const auto tells = [&line](const QString &name) {
         const auto labels = line.findChildren<QLabel *>();
         return std::any_of(labels.begin(), labels.end(),
@@ -181,6 +184,33 @@ void LiveStatesTest::aNameThatIsTheFamilysLeavesItsRoomToTheFirmware()
     workbench.device(0).identity.edit().name = "left drive";
     workbench.publish();
     QVERIFY(tells(QStringLiteral("left drive")));
+}
+
+void LiveStatesTest::aDeviceThatIsGoneTakesItsLineAndItsNumbersAlong()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    DeviceLine line(workbench, selection, m_theme);
+    Inspector inspector(workbench, selection, m_theme);
+    line.setWanted(true);
+    inspector.show();
+    const auto told = [&inspector] {
+        QStringList values;
+        for (const ValueLabel *label : inspector.findChildren<ValueLabel *>()) {
+            if (const QString value = label->value(); value != QString(UnknownMark))
+                values << value;
+        }
+        return values;
+    };
+    QVERIFY(!line.isVisible());
+    workbench.shot.devices.push_back(drive());
+    selection.select({1});
+    QVERIFY(line.isVisible());
+    QVERIFY(told().contains(QStringLiteral("2103343A79F2")));
+    workbench.shot.devices.clear();
+    workbench.publish();
+    QVERIFY(!line.isVisible());
+    QCOMPARE(told(), QStringList());
 }
 
 MB_WINDOW_TEST(LiveStatesTest);

@@ -4,6 +4,12 @@
 
 #include "model/parameterfile.h"
 #include "support/windowtests.h"
+#include "widgets/parameters/comparisonbox.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+
+#include <algorithm>
 
 using namespace mb;
 using namespace mb::test;
@@ -21,6 +27,7 @@ private Q_SLOTS:
     void aDamagedFileIsRefused();
     void comparisonShowsAFileBesideTheValues();
     void withoutADeviceAFileCanBeLookedAt();
+    void aFileThatIsNotChosenLeavesWhatIsComparedWith();
 };
 
 void TestParameterFiles::exportAndImportAreARoundTrip()
@@ -181,6 +188,31 @@ void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
     QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     bench.selection.select({1});
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
+}
+
+void TestParameterFiles::aFileThatIsNotChosenLeavesWhatIsComparedWith()
+{
+    DeviceView board = readDrive();
+    const auto all = families();
+    board.family = *std::find_if(all.begin(), all.end(), [](const Family *one) { return one->capabilities.axes > 1; });
+    board.parameters.edit().assign(board.family->parameters.size(), {0, ParameterState::Stored});
+    ParameterBench bench(board);
+    bench.selection.select({1}, 1);
+    auto &box = *bench.page->findChild<ComparisonBox *>()->findChild<QComboBox *>();
+    const auto choose = [&box](const char *words) {
+        const int row = box.findText(QString::fromUtf8(words));
+        QVERIFY2(row >= 0, words);
+        box.setCurrentIndex(row);
+        Q_EMIT box.activated(row);
+    };
+    choose("axis 2");
+    const QString axis = bench.model().reference().title;
+    choose("a file…");
+    delete bench.page->findChild<QFileDialog *>();
+    QCOMPARE(bench.model().reference().title, axis);
+    bench.selection.select({1}, 2);
+    QVERIFY2(bench.model().reference().title != axis, "it would be compared with itself");
+    QCOMPARE(box.currentText(), QStringLiteral("defaults"));
 }
 
 MB_WINDOW_TEST(TestParameterFiles);

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void escapeKeepsTheOldValue();
     void tabGoesToTheNextField();
     void enterSwitchesWhatIsOnOrOff();
+    void aDragThatSelectsRowsSwitchesNothing();
     void aFaultAppearsWhileTypingAndIsMendedByOneClick();
     void aSnapshotWhileTypingLosesNothing();
     void anotherSelectionKeepsTheEdits();
@@ -232,6 +233,23 @@ void TestParametersPage::enterSwitchesWhatIsOnOrOff()
     QCOMPARE(bench.shown("current_limit.enabled", ParameterModel::State), QStringLiteral("edited, was off"));
     const QRect cell = bench.view().visualRect(bench.model().indexOf(named("current_limit.enabled")));
     QTest::mouseClick(bench.view().viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
+    QCOMPARE(bench.edits().count(), 0);
+}
+
+void TestParametersPage::aDragThatSelectsRowsSwitchesNothing()
+{
+    ParameterBench bench;
+    ParameterView &view = bench.view();
+    view.goTo(named("current_limit.enabled"));
+    const auto at = [&](const char *key, int column) {
+        return view.visualRect(bench.model().indexOf(named(key), column)).center();
+    };
+    const QPoint end = at("current_limit.enabled", ParameterModel::ValueColumn);
+    QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::NoModifier, at("current_limit.peak", ParameterModel::Label));
+    QMouseEvent move(QEvent::MouseMove, end, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(view.viewport(), &move);
+    QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::NoModifier, end);
+    QVERIFY(view.selectionModel()->selectedRows().size() > 1);
     QCOMPARE(bench.edits().count(), 0);
 }
 

@@ -129,7 +129,7 @@ void TestTunePage::everyStateHasItsWords_data()
     QTest::addColumn<QString>("state");
     QTest::addColumn<QString>("words");
     QTest::newRow("safe") << s("safe") << s("Not armed: Hold the Arm button for 1 s to arm #5.");
-    QTest::newRow("armed") << s("armed") << s("Armed: F5 runs velocity 0\u00A0counts/s, slot 0");
+    QTest::newRow("armed") << s("armed") << s("Armed: Run begins velocity 0\u00A0counts/s, slot 0");
     QTest::newRow("silent") << s("silent") << s("No answer from #5: The plot keeps what it has.");
     QTest::newRow("locked") << s("locked") << s("#5 cannot be armed: another master drives it");
     QTest::newRow("stopped") << s("stopped") << s("Stopped: key: Hold the Arm button for 1 s to arm again.");

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/holdbutton.h"
 
-#include <QMouseEvent>
+#include <QKeyEvent>
 #include <QPainter>
-#include <QTimerEvent>
 
 namespace mb {
 
 HoldButton::HoldButton(const ThemeSource &theme, Symbol symbol, const QString &text, QWidget *parent)
     : CommandButton(theme, symbol, text, parent)
     , m_theme(theme)
+    , m_hold(*this, [this] {
+        if (m_needed)
+            m_hold.begin();
+    })
 {
+    setAutoDefault(false);
     connect(this, &QAbstractButton::clicked, this, [this] {
         if (!m_needed)
             Q_EMIT activated();
     });
+    connect(&m_hold, &HoldGesture::completed, this, &HoldButton::activated);
 }
 
 void HoldButton::setHoldNeeded(bool needed)
@@ -22,74 +27,36 @@ void HoldButton::setHoldNeeded(bool needed)
     if (needed == m_needed)
         return;
     m_needed = needed;
-    endHold();
-}
-
-void HoldButton::endHold()
-{
     m_hold.end();
     setDown(false);
-    update();
-}
-
-void HoldButton::giveUp()
-{
-    if (m_needed)
-        endHold();
-}
-
-void HoldButton::mousePressEvent(QMouseEvent *event)
-{
-    CommandButton::mousePressEvent(event);
-    if (!m_needed || event->button() != Qt::LeftButton)
-        return;
-    m_hold.begin(this);
 }
 
 void HoldButton::mouseReleaseEvent(QMouseEvent *event)
 {
     if (m_needed)
-        endHold();
+        setDown(false); // held, never clicked
     CommandButton::mouseReleaseEvent(event);
 }
 
-void HoldButton::mouseMoveEvent(QMouseEvent *event)
+bool HoldButton::holds(const QKeyEvent &key) const
 {
-    CommandButton::mouseMoveEvent(event);
-    if (m_hold.isUnderWay() && !rect().contains(event->pos()))
-        endHold();
+    return m_needed && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
 }
 
-void HoldButton::timerEvent(QTimerEvent *event)
+void HoldButton::keyPressEvent(QKeyEvent *event)
 {
-    if (!m_hold.tick(*event))
-        return CommandButton::timerEvent(event);
-    update();
-    if (m_hold.progress() < 1.0)
-        return;
-    endHold();
-    Q_EMIT activated();
+    if (!holds(*event))
+        CommandButton::keyPressEvent(event);
+    else if (!event->isAutoRepeat())
+        m_hold.begin();
 }
 
-void HoldButton::hideEvent(QHideEvent *event)
+void HoldButton::keyReleaseEvent(QKeyEvent *event)
 {
-    endHold();
-    CommandButton::hideEvent(event);
-}
-
-void HoldButton::changeEvent(QEvent *event)
-{
-    if (event->type() == QEvent::EnabledChange && !isEnabled())
-        endHold();
-    CommandButton::changeEvent(event);
-}
-
-/// The release goes to whatever window has the focus by then.
-bool HoldButton::event(QEvent *event)
-{
-    if (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::ActivationChange)
-        giveUp();
-    return CommandButton::event(event);
+    if (!holds(*event))
+        CommandButton::keyReleaseEvent(event);
+    else if (!event->isAutoRepeat())
+        m_hold.end();
 }
 
 void HoldButton::paintEvent(QPaintEvent *event)

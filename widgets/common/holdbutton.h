@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/hold.h"
+#include "widgets/common/holdgesture.h"
 #include "widgets/common/iconbutton.h"
 
 namespace mb {
 
-/// A button that acts by a click, or, where that would be too easy, only when the pointer has held it for a second. No key and no
-/// synthetic click passes then.
+/// A button that acts by a click, or, where that would be too easy, only when the pointer, or Enter where it has the focus, has held it for
+/// a second. An assistive "press" begins that, a second one ends it. It is never the default button of a dialog.
 class HoldButton : public CommandButton {
     Q_OBJECT
     Q_PROPERTY(int holdMilliseconds READ holdMilliseconds WRITE setHoldMilliseconds)
@@ -21,7 +21,7 @@ public:
     void setHoldMilliseconds(int milliseconds) { m_hold.setMilliseconds(milliseconds); }
 
     /// Ends a hold for nothing; the pointer has to come again.
-    void giveUp();
+    void giveUp() { m_hold.end(); }
 
 Q_SIGNALS:
     /// Clicked, or held long enough: what is to be connected, not clicked().
@@ -29,20 +29,16 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void timerEvent(QTimerEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    bool event(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
 
 private:
-    void endHold();
+    [[nodiscard]] bool holds(const QKeyEvent &key) const;
 
     const ThemeSource &m_theme;
     bool m_needed = false;
-    Hold m_hold;
+    HoldGesture m_hold;
 };
 
 } // namespace mb

@@ -3,6 +3,7 @@
 
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/wraplayout.h"
 
 namespace mb {
@@ -16,7 +17,9 @@ KeyStrip::KeyStrip(const ThemeSource &theme, const std::vector<Key> &keys, QWidg
     for (const Key &key : keys) {
         auto *pair = new QWidget(this);
         auto *row = layoutIn<QHBoxLayout>(pair, theme.theme().u(8));
-        row->addWidget(badge(key.cap, Tone::Text, pair));
+        QLabel *const cap = badge({}, Tone::Text, pair);
+        nameKeys(*cap, QStringLiteral("%1"), {key.cap});
+        row->addWidget(cap);
         row->addWidget(textLabel(key.does, TextRole::Caption, Tone::Dim, pair));
         line->addWidget(pair);
     }

@@ -4,7 +4,6 @@
 #include "widgets/common/spoken.h"
 
 #include <QAccessible>
-#include <QMouseEvent>
 #include <QPainter>
 
 namespace mb {
@@ -12,12 +11,17 @@ namespace mb {
 Lamp::Lamp(const ThemeSource &theme, QWidget *parent)
     : QAbstractButton(parent)
     , m_theme(theme)
+    , m_hold(*this, [this] { press(); })
 {
     setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     updateAccessibleText(LampState::Safe);
     followTheme(theme, *this);
-    connect(this, &QAbstractButton::clicked, this, [this] { m_hold.isUnderWay() ? endHold(false) : press(); });
+    connect(&m_hold, &HoldGesture::holdingChanged, this, [this](bool holding) {
+        updateGeometry();
+        Q_EMIT holdingChanged(holding);
+    });
+    connect(&m_hold, &HoldGesture::completed, this, &Lamp::armRequested);
 }
 
 void Lamp::setStatus(const LampStatus &status)
@@ -26,7 +30,7 @@ void Lamp::setStatus(const LampStatus &status)
     const bool isOther = status.candidate != m_status.candidate;
     m_status = status;
     if (m_hold.isUnderWay() && (isLive(m_status) || !status.armable || isOther))
-        endHold(false);
+        giveUp();
     updateAccessibleText(before);
     updateGeometry();
     update();
@@ -53,75 +57,14 @@ void Lamp::press()
 {
     if (isLive(m_status) || m_status.state == LampState::MayTurn)
         Q_EMIT disarmRequested();
-    else if (m_status.armable)
-        beginHold();
+    else
+        hold();
 }
 
 void Lamp::hold()
 {
-    if (!m_hold.isUnderWay() && !isLive(m_status) && m_status.state != LampState::MayTurn && m_status.armable)
-        beginHold();
-}
-
-void Lamp::beginHold()
-{
-    m_hold.begin(this);
-    Q_EMIT holdingChanged(true);
-    updateGeometry();
-    update();
-}
-
-void Lamp::endHold(bool complete)
-{
-    if (!m_hold.isUnderWay())
-        return;
-    m_hold.end();
-    update();
-    Q_EMIT holdingChanged(false);
-    if (complete)
-        Q_EMIT armRequested();
-}
-
-void Lamp::mousePressEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton && !m_hold.isUnderWay())
-        press();
-}
-
-void Lamp::mouseReleaseEvent(QMouseEvent *event)
-{
-    if (event->button() == Qt::LeftButton)
-        giveUp();
-}
-
-void Lamp::mouseMoveEvent(QMouseEvent *event)
-{
-    if (!rect().contains(event->pos()))
-        endHold(false);
-}
-
-void Lamp::timerEvent(QTimerEvent *event)
-{
-    if (!m_hold.tick(*event))
-        return QAbstractButton::timerEvent(event);
-    if (holdProgress() >= 1.0)
-        endHold(true);
-    else
-        update();
-}
-
-void Lamp::hideEvent(QHideEvent *event)
-{
-    endHold(false);
-    QAbstractButton::hideEvent(event);
-}
-
-void Lamp::changeEvent(QEvent *event)
-{
-    const bool lost = event->type() == QEvent::ActivationChange && !isActiveWindow();
-    if (lost || (event->type() == QEvent::EnabledChange && !isEnabled()))
-        endHold(false);
-    QAbstractButton::changeEvent(event);
+    if (!isLive(m_status) && m_status.state != LampState::MayTurn && m_status.armable)
+        m_hold.begin();
 }
 
 LampFace Lamp::face() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/common/hold.h"
+#include "widgets/common/holdgesture.h"
 #include "widgets/common/lampface.h"
 
 #include <QAbstractButton>
@@ -26,7 +26,7 @@ public:
     /// Begins a hold as the mouse does; nothing while it is held, armed or moving, or nothing can be armed.
     void hold();
     /// Ends a hold for nothing.
-    void giveUp() { endHold(false); }
+    void giveUp() { m_hold.end(); }
     QSize sizeHint() const override { return face().preferred(); }
     /// Word above, detail below: what a narrow window leaves of it.
     QSize minimumSizeHint() const override { return face().least(); }
@@ -41,26 +41,18 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override { mousePressEvent(event); }
+    void mousePressEvent(QMouseEvent *) override { } // held, never clicked
     void keyPressEvent(QKeyEvent *event) override { event->ignore(); }
     void keyReleaseEvent(QKeyEvent *event) override { event->ignore(); }
-    void timerEvent(QTimerEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     [[nodiscard]] LampFace face() const;
     void press();
-    void beginHold();
-    void endHold(bool complete);
     void updateAccessibleText(LampState before);
 
     const ThemeSource &m_theme;
     LampStatus m_status;
-    Hold m_hold;
+    HoldGesture m_hold;
 };
 
 } // namespace mb

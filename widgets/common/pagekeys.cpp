@@ -20,6 +20,7 @@
 #include <QTreeView>
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -151,6 +152,40 @@ QString inItsLanguage(const QString &key)
     return keys.isEmpty() ? key : keys.toString(QKeySequence::NativeText);
 }
 
+class NamedKeys : public QObject {
+public:
+    NamedKeys(QLabel &label, QString words, QStringList factory)
+        : QObject(&label)
+        , m_label(label)
+        , m_words(std::move(words))
+        , m_factory(std::move(factory))
+    {
+        label.installEventFilter(this);
+        follow();
+    }
+
+protected:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        if (event->type() == keysChanged())
+            follow();
+        return false;
+    }
+
+private:
+    void follow()
+    {
+        QString words = m_words;
+        for (const QString &key : m_factory)
+            words = words.arg(keyShown(m_label, key));
+        m_label.setText(words);
+    }
+
+    QLabel &m_label;
+    QString m_words;
+    QStringList m_factory;
+};
+
 } // namespace
 
 QString keyShown(const QWidget &button, const QString &factory)
@@ -165,6 +200,11 @@ QString keyShown(const QWidget &button, const QString &factory)
         }
     }
     return inItsLanguage(factory);
+}
+
+void nameKeys(QLabel &label, const QString &words, const QStringList &factory)
+{
+    new NamedKeys(label, words, factory);
 }
 
 void showKeys(

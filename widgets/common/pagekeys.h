@@ -12,6 +12,7 @@
 #include <map>
 #include <vector>
 
+class QLabel;
 class QShortcut;
 
 namespace mb {
@@ -67,6 +68,9 @@ private:
 [[nodiscard]] QEvent::Type keysChanged();
 /// What a button has to say of its key, which came as this: the same, or what was chosen for that row of its page or window.
 [[nodiscard]] QString keyShown(const QWidget &button, const QString &factory);
+
+/// The label says these words, which name keys as %1, %2 …, by what they came as: as they are now, and again when they are others.
+void nameKeys(QLabel &label, const QString &words, const QStringList &factory);
 
 /// What F1 opens: the keys of a page and those of the window.
 void showKeys(QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys,

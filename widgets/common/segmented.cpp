@@ -240,8 +240,19 @@ PageTabs::PageTabs(const ThemeSource &theme, QWidget *parent)
 
 void PageTabs::setUnavailable(int index, const QString &reason)
 {
+    if (isTabEnabled(index) == reason.isEmpty())
+        return;
+    if (index == currentIndex())
+        setCurrentIndex(0);
     setTabEnabled(index, reason.isEmpty());
-    setTabToolTip(index, reason);
+    setTabToolTip(index, reason.isEmpty() ? tabData(index).toString() : reason);
+}
+
+void PageTabs::setHint(int index, const QString &hint)
+{
+    setTabData(index, hint);
+    if (isTabEnabled(index))
+        setTabToolTip(index, hint);
 }
 
 QFont PageTabs::bold() const

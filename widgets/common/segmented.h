@@ -56,8 +56,10 @@ class PageTabs : public QTabBar {
     Q_OBJECT
 public:
     explicit PageTabs(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// A page that needs something first stays visible, faint, and says what it needs. Empty enables it.
+    /// A page that needs something first stays visible, faint, and says what it needs; whoever was on it is on the first. Empty enables it.
     void setUnavailable(int index, const QString &reason);
+    /// What is said of a page that can be used.
+    void setHint(int index, const QString &hint);
 
 protected:
     QSize tabSizeHint(int index) const override;

@@ -37,16 +37,18 @@ QInputDialog *ask(QWidget &parent, const QString &title, const QString &question
     return dialog;
 }
 
-bool isTaken(const Snapshot &shot, const std::string &link, int number)
+/// By one of its own family: the others of its link speak past it.
+bool isTaken(const Snapshot &shot, const DeviceView &device, int number)
 {
-    return std::ranges::any_of(
-        shot.devices, [&](const DeviceView &d) { return d.link == link && d.identity->address == number; });
+    return std::ranges::any_of(shot.devices, [&](const DeviceView &d) {
+        return d.link == device.link && d.family == device.family && d.identity->address == number;
+    });
 }
 
-int firstFree(const Snapshot &shot, const std::string &link, int last)
+int firstFree(const Snapshot &shot, const DeviceView &device, int last)
 {
     int free = 1;
-    while (free < last && isTaken(shot, link, free))
+    while (free < last && isTaken(shot, device, free))
         ++free;
     return free;
 }
@@ -114,15 +116,15 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
         return;
     const QString label = titleOf(*device);
     const int last = device->family->capabilities.lastAddress;
-    const int free = firstFree(workbench.snapshot(), device->link, last);
+    const int free = firstFree(workbench.snapshot(), *device, last);
     QInputDialog *dialog = ask(parent, DeviceActions::tr("Number of %1").arg(label),
         DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(last).arg(free));
     dialog->setInputMode(QInputDialog::IntInput);
     dialog->setIntRange(1, last);
     dialog->setIntValue(free);
     QObject::connect(
-        dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, link = device->link](int number) {
-            if (isTaken(workbench.snapshot(), link, number))
+        dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, own = *device](int number) {
+            if (isTaken(workbench.snapshot(), own, number))
                 workbench.report(Severity::Danger, label,
                     DeviceActions::tr("number %1 is taken on this link; nothing was sent").arg(number));
             else

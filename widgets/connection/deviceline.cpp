@@ -40,6 +40,12 @@ DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSo
             label->clear();
         follow();
     });
+    hide();
+}
+
+void DeviceLine::setWanted(bool wanted)
+{
+    m_wanted = wanted;
     follow();
 }
 
@@ -145,7 +151,8 @@ void DeviceLine::fitValues(const std::vector<ValueLabel *> &wanted)
 void DeviceLine::follow()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    if (!device || !isVisible())
+    setVisible(m_wanted && device);
+    if (!isVisible())
         return;
     m_glyph->setState(glyphOf(*device));
     showWhole(*m_title, motorTitle(*device, m_selection.axis()));

@@ -17,11 +17,13 @@ namespace mb {
 class StateGlyph;
 class ValueLabel;
 
-/// One line above the page of a device: state, name, serial, firmware, and at the right its live values.
+/// One line above the page of a device: state, name, serial, firmware, and at the right its live values. Hidden while none is selected.
 class DeviceLine : public QWidget {
     Q_OBJECT
 public:
     DeviceLine(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+    /// Wanted above this page; shown where there is a device.
+    void setWanted(bool wanted);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -39,6 +41,7 @@ private:
     Workbench &m_workbench;
     Selection &m_selection;
     const ThemeSource &m_theme;
+    bool m_wanted = false;
     StateGlyph *m_glyph = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_name = nullptr;

@@ -134,8 +134,13 @@ void Inspector::follow()
     m_read->setEnabled(device && device->identity->state == DeviceState::Online);
     if (!device) {
         m_profile->show(nullptr);
+        m_axes->hide();
         m_title->setText(tr("No device selected"));
         m_subtitle->clear();
+        for (ValueLabel *label : findChildren<ValueLabel *>()) {
+            label->clear();
+            label->setTone(Tone::Text);
+        }
         return;
     }
     const int axis = m_selection.axis();

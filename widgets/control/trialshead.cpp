@@ -43,7 +43,7 @@ void TrialsHead::show(const TrialPair &pair, const std::vector<CurveLegend::Entr
 {
     const KeptTrial *const a = pair.a();
     const KeptTrial *const b = pair.b();
-    m_words->setText(!b                 ? tr("No trial yet. F5 runs the first.")
+    m_words->setText(!b                 ? tr("No trial yet. Run makes the first.")
             : a && !pair.isComparable() ? tr("A #%1 is another stimulus, it is not drawn").arg(a->number)
             : a                         ? QString()
                                         : tr("Shift+click on a trial pins it as A"));

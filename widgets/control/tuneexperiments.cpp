@@ -113,7 +113,7 @@ PageStatus TuneExperiments::status(const DeviceView &view, const QString &name) 
         return {GlyphState::Warning, found.possible ? tr("No experiment yet") : tr("No experiment in this mode"),
             found.words, false};
     if (m_arming.isArmed(view.id))
-        return {GlyphState::Online, tr("Armed"), tr("F5 runs the experiment."), true};
+        return {GlyphState::Online, tr("Armed"), tr("Run begins the experiment."), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 

@@ -224,7 +224,7 @@ PageStatus TuneMotion::status(const DeviceView &view, const QString &name) const
     if (isMoving(view, axis))
         return {GlyphState::Moving, tr("Moving"), describe(told ? *told : entered()) + others, true};
     if (m_arming.isArmed(view.id))
-        return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(entered())) + others, true};
+        return {GlyphState::Online, tr("Armed"), tr("Run begins %1").arg(describe(entered())) + others, true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 

@@ -86,12 +86,12 @@ void TuneSteps::show(const TuneKnowledge &known)
                     : tr("Checked by itself before the first closed loop of a run.");
     m_tips[Envelope] = m_done[Envelope] ? tr("Every limit of an experiment is known.") : known.missing;
     m_tips[Identify] = m_done[Identify] ? tr("Trial #%1 pushed the motor without a loop.").arg(known.identified)
-                                        : tr("No model of the motor yet: the page Design identifies it, Shift+F6.");
+                                        : tr("No model of the motor yet: the page Design identifies it.");
     m_tips[Gains] = m_done[Gains] ? tr("The device has the gains that are shown.")
         : known.staged            ? tr("Edited gains wait to be written.")
                                   : tr("The gains of the device are not known yet.");
     m_tips[Verify] = m_done[Verify] ? tr("Trial #%1 ran with these gains.").arg(known.newest->number)
-                                    : tr("No trial with these gains yet: F5 runs one.");
+                                    : tr("No trial with these gains yet: Run makes one.");
     m_tips[Store] = m_done[Store] ? tr("The gains are in flash.") : tr("The gains are not known to be in flash.");
     tell();
     update();

@@ -83,7 +83,7 @@ void BusBar::buildFilter(QVBoxLayout &column)
     auto *row = new WrapLayout;
     row->setSpacing(m_theme.theme().u(8));
     m_mode = new Segmented(tr("What the expression does"), {tr("Filter"), tr("Find")}, this);
-    m_mode->setToolTip(tr("Filter hides what does not match; Find marks what does, F3 goes to the next"));
+    m_mode->setToolTip(tr("Filter hides what does not match; Find marks what does, Enter goes to the next"));
     m_filter = new SearchField(m_theme, tr("such as message:STS* device:5 not is:error"), this);
     m_filter->setSymbol(Symbol::Filter);
     m_filter->setKeyHint(QStringLiteral("Ctrl+F"));

@@ -122,6 +122,7 @@ void BusPage::buildKeys()
 {
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_P}, tr("pauses the list, and goes on"), [this] { setPaused(!m_paused); });
+    keys->add({Qt::Key_R}, tr("records, or ends the recording"), [this] { m_record->toggle(); });
     keys->add({QKeySequence::Find}, tr("goes to the filter"), [this] { m_bar->focusFilter(); });
     keys->add({Qt::Key_F3}, tr("finds the next one"), [this] { find(true); });
     keys->add({QKeySequence(QStringLiteral("Shift+F3"))}, tr("finds the one before"), [this] { find(false); });

@@ -9,6 +9,7 @@
 #include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/wraplayout.h"
@@ -85,6 +86,11 @@ void LogPage::buildBar()
     row->setSpacing(theme.u(8));
     m_search = new SearchField(m_theme, tr("Search the log"), this);
     m_search->setAccessibleName(tr("Search the log"));
+    m_search->setKeyHint(QStringLiteral("Ctrl+F"));
+    (new PageKeys(*this))->add({QKeySequence::Find}, tr("searches"), [this] {
+        m_search->setFocus();
+        m_search->selectAll();
+    });
     m_severity = new Segmented(tr("Severity"), {tr("All"), tr("Cautions"), tr("Faults")}, this);
     auto *save = new CommandButton(m_theme, Symbol::Export, tr("Save log…"), this);
     row->addWidget(m_search);

@@ -49,7 +49,7 @@ void RecordStrip::build()
     row->addWidget(m_glyph);
     row->addWidget(m_text, 1);
     row->addWidget(m_dismiss);
-    connect(m_button, &QPushButton::clicked, this, &RecordStrip::activate);
+    connect(m_button, &QPushButton::clicked, this, &RecordStrip::toggle);
     connect(m_dismiss, &QPushButton::clicked, this, &RecordStrip::dismiss);
 }
 
@@ -59,12 +59,12 @@ void RecordStrip::setLink(const std::string &link)
     follow();
 }
 
-void RecordStrip::activate()
+void RecordStrip::toggle()
 {
     const LinkView *link = m_workbench.snapshot().link(m_link);
     if (link && link->recording && isRunning(*link->recording))
         m_workbench.send(orders::StopRecording{m_link});
-    else if (link)
+    else if (!m_button->isHidden())
         askWhereTo();
 }
 

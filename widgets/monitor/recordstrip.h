@@ -28,10 +28,11 @@ public:
     void setLink(const std::string &link);
     /// Begins at once, with the link that is set. Reports failure to the log.
     void recordTo(const QString &path) { record(m_link, path); }
+    /// What the button does; nothing for a link that cannot be recorded.
+    void toggle();
 
 private:
     void build();
-    void activate();
     void askWhereTo();
     void record(const std::string &address, const QString &path);
     void follow();

@@ -242,7 +242,7 @@ void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *opera
     m_write->setKeyHint(why.isEmpty() ? QStringLiteral("Ctrl+Shift+W")
             : count > 0               ? QStringLiteral("· ") + why
                                       : QString());
-    m_write->setToolTip(why.isEmpty() ? tr("Write the staged changes  Ctrl+Shift+W") : why);
+    m_write->setToolTip(why.isEmpty() ? tr("Write the staged changes") : why);
     m_write->setAccessibleName(why.isEmpty() ? m_write->text() : m_write->text() + QStringLiteral(", ") + why);
     m_discard->setEnabled(m_model.edits() && m_model.edits()->count() > 0);
 }

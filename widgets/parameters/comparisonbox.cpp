@@ -60,6 +60,7 @@ void ComparisonBox::remember(const DeviceView &device)
 void ComparisonBox::compareWith(ParameterReference file)
 {
     m_file = file;
+    m_axis = 0;
     m_model.setReference(std::move(file));
     refresh();
 }
@@ -112,7 +113,8 @@ void ComparisonBox::choose(int row)
     if (!m_model.family())
         return;
     const int chosen = m_box->itemData(row).toInt();
-    m_axis = std::max(0, chosen - WithAxis);
+    if (chosen != ChooseFile)
+        m_axis = std::max(0, chosen - WithAxis);
     switch (chosen) {
     case WithDefaults: m_model.setReference(defaultsOf(*m_model.family())); break;
     case AsFound: m_model.setReference(m_asFound.at(m_selection.device())); break;

@@ -93,7 +93,7 @@ void ParameterCommands::restore(DeviceId device, const std::vector<ParameterChan
 {
     m_banners.clear(QLatin1String(historyNotice));
     m_workbench.send(orders::RestoreParameters{device, changes},
-        keeping(device, tr("What was written before it is in force. Ctrl+Z takes it back.")));
+        keeping(device, tr("What was written before it is in force. Undo takes it back.")));
 }
 
 } // namespace mb

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/wraplayout.h"
 
 namespace mb {
@@ -53,7 +54,8 @@ void ParameterFoot::buildLegend()
         row->addWidget(count->box);
     }
     row->addSpring();
-    auto *keys = new QLabel(tr("↑↓ row · Enter edit · Ctrl+Shift+W write"), m_legend);
+    auto *keys = new QLabel(m_legend);
+    nameKeys(*keys, tr("↑↓ row · Enter edit · %1 write"), {QStringLiteral("Ctrl+Shift+W")});
     setTextRole(*keys, TextRole::Caption);
     setTone(*keys, Tone::Faint);
     row->addWidget(keys);

@@ -358,7 +358,8 @@ void ParameterView::mouseReleaseEvent(QMouseEvent *event)
 {
     QTreeView::mouseReleaseEvent(event);
     const QModelIndex index = indexAt(event->pos());
-    if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || !index.isValid())
+    const bool isDrag = selectionModel()->selectedRows().size() > 1;
+    if (event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier || !index.isValid() || isDrag)
         return;
     if (ParameterModel::kindOf(index) == ParameterModel::Kind::Group || index.column() == ParameterModel::ValueColumn)
         activateRow(index);

@@ -44,6 +44,9 @@ void fillHead(PlotStrip &strip, int index, const std::map<int, PlotTrace> &trace
         if (strip.style.legend)
             decor.entries.push_back({trace.style.name, trace.plottable->look()});
     }
+    std::ranges::stable_partition(
+        decor.entries, // where there is no room for all, set-points of several axes look alike
+        [](const auto &entry) { return entry.look.role != TraceRole::Setpoint; });
     decor.unit = units.join(QStringLiteral(", "));
     decor.secondUnit = secondUnits.join(QStringLiteral(", "));
     strip.axis(true).setVisible(!secondUnits.isEmpty());

@@ -5,6 +5,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/plots/tracelist.h"
 
 #include <QMenu>
@@ -38,8 +39,9 @@ TracePanel::TracePanel(
     buildLists();
     auto *foot = new QHBoxLayout;
     foot->setContentsMargins(u(12), u(6), u(12), u(8));
-    QLabel *const keys
-        = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, this);
+    QLabel *const keys = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    nameKeys(*keys, tr("%1 cursors · %2 fits · + − zooms · %3 pauses · N note"),
+        {QStringLiteral("L"), QStringLiteral("0"), QStringLiteral("P")});
     keys->setWordWrap(true);
     foot->addWidget(keys);
     column->addWidget(separatorLine(Qt::Horizontal, this));

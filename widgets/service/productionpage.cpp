@@ -284,7 +284,7 @@ void ProductionPage::follow()
     const ServiceView &view = m_workbench.service();
     if (std::exchange(m_isRunning, view.running) != view.running)
         m_changedAt = m_workbench.now();
-    m_verdict->setVerdict(verdictOf(view, m_setAside));
+    m_verdict->setVerdict(verdictOf(view, m_setAside, *this));
     m_tiles->follow(view);
     showRecipe(view);
     m_head->follow(view);

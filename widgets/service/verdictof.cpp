@@ -5,6 +5,7 @@
 #include "service/figuretext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/pagekeys.h"
 
 #include <QCoreApplication>
 
@@ -169,7 +170,7 @@ QString hintOf(const ServiceView &view, const QueueRow &row, Verdict::Kind kind)
 
 } // namespace
 
-Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
+Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside, const QWidget &page)
 {
     const QueueRow *row = running(view);
     if (!row && (view.running || view.trouble.empty()))
@@ -192,9 +193,11 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     }
     verdict.cause = asSentence(messageText(row->visit.cause));
     verdict.remedy = asSentence(messageText(row->visit.remedy));
-    verdict.next = verdict.kind == Verdict::Kind::Failed ? BenchText::tr("F5 tests again, F8 sets it aside")
-        : view.running                                   ? BenchText::tr("Unplug, connect next")
-                                                         : BenchText::tr("Safe to unplug");
+    verdict.next = verdict.kind == Verdict::Kind::Failed
+        ? BenchText::tr("%1 tests again, %2 sets it aside")
+              .arg(keyShown(page, QStringLiteral("F5")), keyShown(page, QStringLiteral("F8")))
+        : view.running ? BenchText::tr("Unplug, connect next")
+                       : BenchText::tr("Safe to unplug");
     verdict.hint = hintOf(view, *row, verdict.kind);
     return verdict;
 }
