@@ -2188,10 +2188,6 @@
         <translation>nein</translation>
     </message>
     <message>
-        <source>F5 tests again, F8 sets it aside</source>
-        <translation>F5 prüft erneut, F8 legt beiseite</translation>
-    </message>
-    <message>
         <source>duty at most %1 %</source>
         <translation>Tastgrad höchstens %1 %</translation>
     </message>
@@ -2230,6 +2226,10 @@
     <message>
         <source>written, not proved</source>
         <translation>geschrieben, nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>%1 tests again, %2 sets it aside</source>
+        <translation>%1 prüft erneut, %2 legt beiseite</translation>
     </message>
 </context>
 <context>
@@ -2365,10 +2365,6 @@
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>Filtern blendet aus, was nicht passt; Suchen markiert, was passt, F3 springt zum nächsten</translation>
-    </message>
-    <message>
         <source>such as message:STS* device:5 not is:error</source>
         <translation>etwa message:STS* device:5 not is:error</translation>
     </message>
@@ -2407,6 +2403,10 @@
     <message>
         <source>Export frames</source>
         <translation>Frames exportieren</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, Enter goes to the next</source>
+        <translation>Filtern blendet aus, was nicht passt; Suchen markiert, was passt, Enter springt zum nächsten</translation>
     </message>
 </context>
 <context>
@@ -2489,6 +2489,10 @@
     <message>
         <source>load %1 &amp;nbsp; bytes/s %2</source>
         <translation>Last %1 &amp;nbsp; Bytes/s %2</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>nimmt auf oder beendet die Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2658,8 +2662,8 @@
         <translation>erst noch einmal ansehen</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+Shift+W</source>
-        <translation>Vorgemerkte Änderungen schreiben  Umschalt+F5</translation>
+        <source>Write the staged changes</source>
+        <translation>Vorgemerkte Änderungen schreiben</translation>
     </message>
 </context>
 <context>
@@ -5115,6 +5119,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>log saved to %1</source>
         <translation>Protokoll gespeichert unter %1</translation>
     </message>
+    <message>
+        <source>searches</source>
+        <translation>sucht</translation>
+    </message>
 </context>
 <context>
     <name>mb::MainWindow</name>
@@ -5567,26 +5575,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::OwnProposal</name>
     <message>
-        <source>margin</source>
-        <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>derivative noise</source>
-        <translation>Rauschen des D-Anteils</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>größte Abweichung</translation>
-    </message>
-    <message>
-        <source>dead time</source>
-        <translation>Totzeit</translation>
-    </message>
-    <message>
-        <source>peak current</source>
-        <translation>Stromspitze</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>eigener</translation>
     </message>
@@ -5718,8 +5706,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Nichts wurde festgehalten.</translation>
     </message>
     <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Was davor geschrieben wurde, gilt. Strg+Z nimmt es zurück.</translation>
+        <source>What was written before it is in force. Undo takes it back.</source>
+        <translation>Was davor geschrieben wurde, gilt. Rückgängig nimmt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -5772,8 +5760,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
-        <translation>↑↓ Zeile · Enter ändern · Umschalt+F5 schreiben</translation>
+        <source>↑↓ row · Enter edit · %1 write</source>
+        <translation>↑↓ Zeile · Enter ändern · %1 schreiben</translation>
     </message>
 </context>
 <context>
@@ -6739,6 +6727,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>scales and limits of the project are in force</source>
         <translation>Skalen und Grenzen des Projekts gelten</translation>
+    </message>
+    <message>
+        <source>dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks</source>
+        <translation>Dialekt %1 aus dem Ordner gilt nicht: im Inspektor wählen, wenn das Gerät ihn spricht</translation>
     </message>
 </context>
 <context>
@@ -8396,6 +8388,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Not kept</source>
         <translation>Nicht behalten</translation>
     </message>
+    <message>
+        <source>duty %1, which stands in for a limit of current</source>
+        <translation>Tastgrad %1, der für eine Stromgrenze einsteht</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -9720,10 +9716,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Rate   verl.</translation>
     </message>
     <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
-    </message>
-    <message>
         <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
         <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
     </message>
@@ -9782,6 +9774,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Remove the trace</source>
         <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
+        <translation>%1 Cursor · %2 passt ein · + − zoomt · %3 hält an · N Notiz</translation>
     </message>
 </context>
 <context>
@@ -9978,46 +9974,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>saturated</source>
-        <translation>gesättigt</translation>
-    </message>
-    <message>
-        <source>current limit</source>
-        <translation>Stromgrenze</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>Rampe</translation>
-    </message>
-    <message>
-        <source>limit switch</source>
-        <translation>Endschalter</translation>
-    </message>
-    <message>
-        <source>samples lost</source>
-        <translation>Messwerte fehlen</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>gestoppt</translation>
-    </message>
-    <message>
-        <source>coarse</source>
-        <translation>grob</translation>
-    </message>
-    <message>
-        <source>not symmetric</source>
-        <translation>nicht symmetrisch</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>bewegte sich nicht</translation>
-    </message>
-    <message>
-        <source>restart needed</source>
-        <translation>Neustart nötig</translation>
-    </message>
-    <message>
         <source>better</source>
         <translation>besser</translation>
     </message>
@@ -10137,16 +10093,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Zeit und Wert einpassen</translation>
     </message>
     <message>
-        <source>No trial yet. F5 runs the first.</source>
-        <translation>Noch kein Versuch. F5 startet den ersten.</translation>
-    </message>
-    <message>
         <source>A #%1 is another stimulus, it is not drawn</source>
         <translation>A #%1 hat eine andere Anregung und wird nicht gezeichnet</translation>
     </message>
     <message>
         <source>Shift+click on a trial pins it as A</source>
         <translation>Umschalt+Klick auf einen Versuch heftet ihn als A an</translation>
+    </message>
+    <message>
+        <source>No trial yet. Run makes the first.</source>
+        <translation>Noch kein Versuch. Start macht den ersten.</translation>
     </message>
 </context>
 <context>
@@ -10340,10 +10296,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 startet den Versuch.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Nicht scharf</translation>
     </message>
@@ -10362,6 +10314,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>its position is not known yet</source>
         <translation>die Position ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Run begins the experiment.</source>
+        <translation>Start beginnt den Versuch.</translation>
     </message>
 </context>
 <context>
@@ -10547,10 +10503,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Scharf</translation>
     </message>
     <message>
-        <source>F5 runs %1</source>
-        <translation>F5 startet %1</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Nicht scharf</translation>
     </message>
@@ -10585,6 +10537,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 by %2</source>
         <translation>%1 um %2</translation>
+    </message>
+    <message>
+        <source>Run begins %1</source>
+        <translation>Start beginnt %1</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10720,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Versuch #%1 hat den Motor ohne Regelung angestoßen.</translation>
     </message>
     <message>
-        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
-        <translation>Noch kein Modell des Motors: Die Seite Entwurf bestimmt es, Umschalt+F6.</translation>
-    </message>
-    <message>
         <source>The device has the gains that are shown.</source>
         <translation>Das Gerät hat die gezeigten Verstärkungen.</translation>
     </message>
@@ -10782,10 +10734,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Trial #%1 ran with these gains.</source>
         <translation>Versuch #%1 lief mit diesen Verstärkungen.</translation>
-    </message>
-    <message>
-        <source>No trial with these gains yet: F5 runs one.</source>
-        <translation>Noch kein Versuch mit diesen Verstärkungen: F5 macht einen.</translation>
     </message>
     <message>
         <source>The gains are in flash.</source>
@@ -10811,6 +10759,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
         <translation>Die letzte Prüfung fand es falsch: Der Sensor ist umgekehrt, oder der Motor bewegte sich nicht.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it.</source>
+        <translation>Noch kein Modell des Motors: Die Seite Entwurf bestimmt es.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: Run makes one.</source>
+        <translation>Noch kein Versuch mit diesen Verstärkungen: Start macht einen.</translation>
     </message>
 </context>
 <context>
@@ -15810,10 +15766,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>nicht gesendet: %1, wo eine 24-Bit-Anweisung keine hat; die Datei ist vielleicht für einen anderen Prozessor</translation>
     </message>
     <message>
-        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>über SPI antwortet nichts; die Platine ist ohne Strom oder falsch verdrahtet, oder sie wartet im Bootloader: aktualisieren, oder Steckbrücke abziehen und zurücksetzen</translation>
-    </message>
-    <message>
         <source>nothing could put the gains back after a crash</source>
         <translation>nach einem Absturz könnte nichts die Verstärkungen zurückschreiben</translation>
     </message>
@@ -18844,6 +18796,82 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the last run of %1 was begun by another program, which still runs</source>
         <translation>der letzte Durchlauf von %1 wurde von einem anderen Programm begonnen, das noch läuft</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL hears its stop, too, and would be started by it</source>
+        <translation>ein Antrieb mit Dialekt LL hört seinen Stopp auch und würde davon gestartet</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grob</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>Rauschen des D-Anteils</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>bewegte sich nicht</translation>
+    </message>
+    <message>
+        <source>do it once more if it is the same</source>
+        <translation>noch einmal, wenn es dasselbe ist</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>größte Abweichung</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>Endschalter</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
+        <translation>nichts antwortet: kein Strom, falsche Verdrahtung, eine andere Rate oder kein lauffähiges Programm; aktualisieren Sie es, oder setzen Sie es ohne die Brücke seines Bootloaders zurück</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>Neustart nötig</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>Messwerte fehlen</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>gesättigt</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>Stopp nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>stopped before its motor turned</source>
+        <translation>angehalten, bevor sein Motor drehte</translation>
+    </message>
+    <message>
+        <source>the unit tells no current in ampere: the duty limit stands in for %1 A</source>
+        <translation>das Gerät nennt keinen Strom in Ampere: die Tastgradgrenze steht für %1 A ein</translation>
+    </message>
+    <message>
+        <source>this place, not this unit: what is kept may be of another</source>
+        <translation>dieser Platz, nicht dieses Gerät: Das Aufbewahrte kann von einem anderen sein</translation>
     </message>
 </context>
 </TS>

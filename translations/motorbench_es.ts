@@ -2188,10 +2188,6 @@
         <translation>no</translation>
     </message>
     <message>
-        <source>F5 tests again, F8 sets it aside</source>
-        <translation>F5 prueba de nuevo, F8 la aparta</translation>
-    </message>
-    <message>
         <source>duty at most %1 %</source>
         <translation>ciclo de trabajo: máximo %1 %</translation>
     </message>
@@ -2230,6 +2226,10 @@
     <message>
         <source>written, not proved</source>
         <translation>escrito, sin demostrar</translation>
+    </message>
+    <message>
+        <source>%1 tests again, %2 sets it aside</source>
+        <translation>%1 prueba de nuevo, %2 la aparta</translation>
     </message>
 </context>
 <context>
@@ -2373,10 +2373,6 @@
         <translation>Buscar</translation>
     </message>
     <message>
-        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>Filtrar oculta lo que no coincide; Buscar marca lo que coincide, F3 va al siguiente</translation>
-    </message>
-    <message>
         <source>such as message:STS* device:5 not is:error</source>
         <translation>por ejemplo message:STS* device:5 not is:error</translation>
     </message>
@@ -2407,6 +2403,10 @@
     <message>
         <source>errors</source>
         <translation>errores</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, Enter goes to the next</source>
+        <translation>Filtrar oculta lo que no coincide; Buscar marca lo que coincide, Intro va al siguiente</translation>
     </message>
 </context>
 <context>
@@ -2489,6 +2489,10 @@
     <message>
         <source>load %1 &amp;nbsp; bytes/s %2</source>
         <translation>carga %1 &amp;nbsp; bytes/s %2</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>graba o termina la grabación</translation>
     </message>
 </context>
 <context>
@@ -2658,8 +2662,8 @@
         <translation>Escribir %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+Shift+W</source>
-        <translation>Escribir los cambios pendientes  Mayús+F5</translation>
+        <source>Write the staged changes</source>
+        <translation>Escribir los cambios pendientes</translation>
     </message>
 </context>
 <context>
@@ -5115,6 +5119,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>log saved to %1</source>
         <translation>registro guardado en %1</translation>
     </message>
+    <message>
+        <source>searches</source>
+        <translation>busca</translation>
+    </message>
 </context>
 <context>
     <name>mb::MainWindow</name>
@@ -5567,26 +5575,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::OwnProposal</name>
     <message>
-        <source>margin</source>
-        <translation>margen</translation>
-    </message>
-    <message>
-        <source>derivative noise</source>
-        <translation>ruido de la derivada</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>error máximo</translation>
-    </message>
-    <message>
-        <source>dead time</source>
-        <translation>tiempo muerto</translation>
-    </message>
-    <message>
-        <source>peak current</source>
-        <translation>corriente de pico</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>propia</translation>
     </message>
@@ -5718,8 +5706,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>No se conservó nada.</translation>
     </message>
     <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Lo escrito antes está vigente. Ctrl+Z lo deshace.</translation>
+        <source>What was written before it is in force. Undo takes it back.</source>
+        <translation>Lo escrito antes está vigente. Deshacer lo devuelve.</translation>
     </message>
 </context>
 <context>
@@ -5772,8 +5760,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
-        <translation>↑↓ fila · Intro editar · Mayús+F5 escribir</translation>
+        <source>↑↓ row · Enter edit · %1 write</source>
+        <translation>↑↓ fila · Intro editar · %1 escribir</translation>
     </message>
 </context>
 <context>
@@ -6739,6 +6727,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>scales and limits of the project are in force</source>
         <translation>rigen las escalas y los límites del proyecto</translation>
+    </message>
+    <message>
+        <source>dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks</source>
+        <translation>el dialecto %1 de la carpeta no está en vigor: elíjalo en el inspector si es el que habla</translation>
     </message>
 </context>
 <context>
@@ -8396,6 +8388,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>Not kept</source>
         <translation>No conservado</translation>
     </message>
+    <message>
+        <source>duty %1, which stands in for a limit of current</source>
+        <translation>ciclo %1, que sustituye a un límite de corriente</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -9720,10 +9716,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>frec.      perd.</translation>
     </message>
     <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L cursores · 0 encaja · + − amplía · P pausa · N nota</translation>
-    </message>
-    <message>
         <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
         <translation>media %1 · σ %2 · %3 … %4 · %5 muestras</translation>
     </message>
@@ -9782,6 +9774,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Remove the trace</source>
         <translation>Quitar la curva</translation>
+    </message>
+    <message>
+        <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
+        <translation>%1 cursores · %2 encaja · + − amplía · %3 pausa · N nota</translation>
     </message>
 </context>
 <context>
@@ -9978,46 +9974,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>saturated</source>
-        <translation>saturado</translation>
-    </message>
-    <message>
-        <source>current limit</source>
-        <translation>límite de corriente</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>rampa</translation>
-    </message>
-    <message>
-        <source>limit switch</source>
-        <translation>final de carrera</translation>
-    </message>
-    <message>
-        <source>samples lost</source>
-        <translation>muestras perdidas</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>parado</translation>
-    </message>
-    <message>
-        <source>coarse</source>
-        <translation>grueso</translation>
-    </message>
-    <message>
-        <source>not symmetric</source>
-        <translation>no simétrico</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>no se movió</translation>
-    </message>
-    <message>
-        <source>restart needed</source>
-        <translation>requiere reinicio</translation>
-    </message>
-    <message>
         <source>better</source>
         <translation>mejor</translation>
     </message>
@@ -10137,16 +10093,16 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Encajar tiempo y valor</translation>
     </message>
     <message>
-        <source>No trial yet. F5 runs the first.</source>
-        <translation>Aún no hay ensayos. F5 ejecuta el primero.</translation>
-    </message>
-    <message>
         <source>A #%1 is another stimulus, it is not drawn</source>
         <translation>A #%1 tiene otra excitación y no se dibuja</translation>
     </message>
     <message>
         <source>Shift+click on a trial pins it as A</source>
         <translation>Mayús+clic en un ensayo lo fija como A</translation>
+    </message>
+    <message>
+        <source>No trial yet. Run makes the first.</source>
+        <translation>Aún no hay ensayos. Iniciar hace el primero.</translation>
     </message>
 </context>
 <context>
@@ -10340,10 +10296,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Armado</translation>
     </message>
     <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 inicia el experimento.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>No armado</translation>
     </message>
@@ -10362,6 +10314,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>its position is not known yet</source>
         <translation>su posición aún no se conoce</translation>
+    </message>
+    <message>
+        <source>Run begins the experiment.</source>
+        <translation>Iniciar comienza el experimento.</translation>
     </message>
 </context>
 <context>
@@ -10547,10 +10503,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Armado</translation>
     </message>
     <message>
-        <source>F5 runs %1</source>
-        <translation>F5 inicia %1</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>No armado</translation>
     </message>
@@ -10585,6 +10537,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1 by %2</source>
         <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>Run begins %1</source>
+        <translation>Iniciar comienza %1</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10720,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>El ensayo n.º %1 empujó el motor sin lazo.</translation>
     </message>
     <message>
-        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
-        <translation>Aún no hay modelo del motor: la página Diseño lo identifica, Mayús+F6.</translation>
-    </message>
-    <message>
         <source>The device has the gains that are shown.</source>
         <translation>El equipo tiene las ganancias que se muestran.</translation>
     </message>
@@ -10782,10 +10734,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Trial #%1 ran with these gains.</source>
         <translation>El ensayo n.º %1 se hizo con estas ganancias.</translation>
-    </message>
-    <message>
-        <source>No trial with these gains yet: F5 runs one.</source>
-        <translation>Aún no hay ensayo con estas ganancias: F5 hace uno.</translation>
     </message>
     <message>
         <source>The gains are in flash.</source>
@@ -10811,6 +10759,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
         <translation>La última comprobación la encontró mal: el encóder está invertido o el motor no se movió.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it.</source>
+        <translation>Aún no hay modelo del motor: la página Diseño lo identifica.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: Run makes one.</source>
+        <translation>Aún no hay ensayo con estas ganancias: Iniciar hace uno.</translation>
     </message>
 </context>
 <context>
@@ -15682,10 +15638,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no enviado: %1 donde una instrucción de 24 bits no tiene ninguno; el archivo puede ser para otro procesador</translation>
     </message>
     <message>
-        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>nada responde por SPI; la placa no tiene alimentación o está mal cableada, o espera en su bootloader: actualícela, o quite el puente y reiníciela</translation>
-    </message>
-    <message>
         <source>nothing could put the gains back after a crash</source>
         <translation>nada podría restituir las ganancias tras un fallo del programa</translation>
     </message>
@@ -18844,6 +18796,82 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the last run of %1 was begun by another program, which still runs</source>
         <translation>la última ejecución de %1 la empezó otro programa, que sigue en marcha</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL hears its stop, too, and would be started by it</source>
+        <translation>un accionamiento de dialecto LL también oye su parada y arrancaría con ella</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grueso</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>límite de corriente</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>ruido de la derivada</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>no se movió</translation>
+    </message>
+    <message>
+        <source>do it once more if it is the same</source>
+        <translation>hágalo otra vez si es el mismo</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>final de carrera</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>margen</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>no simétrico</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
+        <translation>nada responde: sin alimentación, mal cableado, otra velocidad o ningún programa en marcha; actualícelo, o reinícielo sin el puente de su bootloader</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampa</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>requiere reinicio</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>muestras perdidas</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>saturado</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>parada no confirmada</translation>
+    </message>
+    <message>
+        <source>stopped before its motor turned</source>
+        <translation>detenido antes de que girara su motor</translation>
+    </message>
+    <message>
+        <source>the unit tells no current in ampere: the duty limit stands in for %1 A</source>
+        <translation>la unidad no indica la corriente en amperios: el límite del ciclo sustituye a %1 A</translation>
+    </message>
+    <message>
+        <source>this place, not this unit: what is kept may be of another</source>
+        <translation>este sitio, no este equipo: lo guardado puede ser de otro</translation>
     </message>
 </context>
 </TS>

@@ -2188,10 +2188,6 @@
         <translation>non</translation>
     </message>
     <message>
-        <source>F5 tests again, F8 sets it aside</source>
-        <translation>F5 reteste, F8 met de côté</translation>
-    </message>
-    <message>
         <source>duty at most %1 %</source>
         <translation>rapport cyclique %1 % au plus</translation>
     </message>
@@ -2230,6 +2226,10 @@
     <message>
         <source>written, not proved</source>
         <translation>écrit, non prouvé</translation>
+    </message>
+    <message>
+        <source>%1 tests again, %2 sets it aside</source>
+        <translation>%1 reteste, %2 met de côté</translation>
     </message>
 </context>
 <context>
@@ -2373,10 +2373,6 @@
         <translation>Rechercher</translation>
     </message>
     <message>
-        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>Filtrer masque ce qui ne correspond pas&#x202f;; Rechercher marque ce qui correspond, F3 passe au suivant</translation>
-    </message>
-    <message>
         <source>such as message:STS* device:5 not is:error</source>
         <translation>par exemple message:STS* device:5 not is:error</translation>
     </message>
@@ -2407,6 +2403,10 @@
     <message>
         <source>errors</source>
         <translation>erreurs</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, Enter goes to the next</source>
+        <translation>Filtrer masque ce qui ne correspond pas ; Rechercher marque ce qui correspond, Entrée passe au suivant</translation>
     </message>
 </context>
 <context>
@@ -2489,6 +2489,10 @@
     <message>
         <source>load %1 &amp;nbsp; bytes/s %2</source>
         <translation>charge %1 &amp;nbsp; octets/s %2</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>enregistre, ou termine l’enregistrement</translation>
     </message>
 </context>
 <context>
@@ -2658,8 +2662,8 @@
         <translation>Écrire %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+Shift+W</source>
-        <translation>Écrire les modifications en attente  Maj+F5</translation>
+        <source>Write the staged changes</source>
+        <translation>Écrire les modifications en attente</translation>
     </message>
 </context>
 <context>
@@ -5115,6 +5119,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>log saved to %1</source>
         <translation>journal sauvegardé dans %1</translation>
     </message>
+    <message>
+        <source>searches</source>
+        <translation>recherche</translation>
+    </message>
 </context>
 <context>
     <name>mb::MainWindow</name>
@@ -5567,26 +5575,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::OwnProposal</name>
     <message>
-        <source>margin</source>
-        <translation>marge</translation>
-    </message>
-    <message>
-        <source>derivative noise</source>
-        <translation>bruit de dérivée</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>écart maximal</translation>
-    </message>
-    <message>
-        <source>dead time</source>
-        <translation>temps mort</translation>
-    </message>
-    <message>
-        <source>peak current</source>
-        <translation>courant de pointe</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>propre</translation>
     </message>
@@ -5718,8 +5706,8 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Rien n’est conservé.</translation>
     </message>
     <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>Ce qui a été écrit avant est en vigueur. Ctrl+Z l’annule.</translation>
+        <source>What was written before it is in force. Undo takes it back.</source>
+        <translation>Ce qui a été écrit avant est en vigueur. Annuler le reprend.</translation>
     </message>
 </context>
 <context>
@@ -5772,8 +5760,8 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>%1.</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
-        <translation>↑↓ ligne · Entrée modifier · Maj+F5 écrire</translation>
+        <source>↑↓ row · Enter edit · %1 write</source>
+        <translation>↑↓ ligne · Entrée modifier · %1 écrire</translation>
     </message>
 </context>
 <context>
@@ -6739,6 +6727,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>scales and limits of the project are in force</source>
         <translation>échelles et limites du projet en vigueur</translation>
+    </message>
+    <message>
+        <source>dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks</source>
+        <translation>le dialecte %1 du dossier n’est pas en vigueur : choisissez-le dans l’inspecteur si c’est celui qu’il parle</translation>
     </message>
 </context>
 <context>
@@ -8396,6 +8388,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>Not kept</source>
         <translation>Non conservé</translation>
     </message>
+    <message>
+        <source>duty %1, which stands in for a limit of current</source>
+        <translation>rapport cyclique %1, qui remplace une limite de courant</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -9720,10 +9716,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>fréq.      perdus</translation>
     </message>
     <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L curseurs · 0 ajuste · + − zoome · P fige · N note</translation>
-    </message>
-    <message>
         <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
         <translation>moyenne %1 · σ %2 · %3 … %4 · %5 échantillons</translation>
     </message>
@@ -9782,6 +9774,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Remove the trace</source>
         <translation>Supprimer la courbe</translation>
+    </message>
+    <message>
+        <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
+        <translation>%1 curseurs · %2 ajuste · + − zoome · %3 fige · N note</translation>
     </message>
 </context>
 <context>
@@ -9978,46 +9974,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>saturated</source>
-        <translation>saturé</translation>
-    </message>
-    <message>
-        <source>current limit</source>
-        <translation>limite de courant</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>rampe</translation>
-    </message>
-    <message>
-        <source>limit switch</source>
-        <translation>fin de course</translation>
-    </message>
-    <message>
-        <source>samples lost</source>
-        <translation>échantillons perdus</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>arrêté</translation>
-    </message>
-    <message>
-        <source>coarse</source>
-        <translation>grossier</translation>
-    </message>
-    <message>
-        <source>not symmetric</source>
-        <translation>non symétrique</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>n’a pas bougé</translation>
-    </message>
-    <message>
-        <source>restart needed</source>
-        <translation>redémarrage requis</translation>
-    </message>
-    <message>
         <source>better</source>
         <translation>meilleur</translation>
     </message>
@@ -10137,16 +10093,16 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Ajuster temps et valeur</translation>
     </message>
     <message>
-        <source>No trial yet. F5 runs the first.</source>
-        <translation>Pas encore d’essai. F5 lance le premier.</translation>
-    </message>
-    <message>
         <source>A #%1 is another stimulus, it is not drawn</source>
         <translation>A n° %1 a une autre excitation, il n’est pas tracé</translation>
     </message>
     <message>
         <source>Shift+click on a trial pins it as A</source>
         <translation>Maj+clic sur un essai l’épingle comme A</translation>
+    </message>
+    <message>
+        <source>No trial yet. Run makes the first.</source>
+        <translation>Pas encore d’essai. Lancer fait le premier.</translation>
     </message>
 </context>
 <context>
@@ -10340,10 +10296,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Armé</translation>
     </message>
     <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 lance l’expérience.</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Non armé</translation>
     </message>
@@ -10362,6 +10314,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>its position is not known yet</source>
         <translation>sa position n’est pas encore connue</translation>
+    </message>
+    <message>
+        <source>Run begins the experiment.</source>
+        <translation>Lancer commence l’expérience.</translation>
     </message>
 </context>
 <context>
@@ -10547,10 +10503,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Armé</translation>
     </message>
     <message>
-        <source>F5 runs %1</source>
-        <translation>F5 lance %1</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>Non armé</translation>
     </message>
@@ -10585,6 +10537,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>%1 by %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Run begins %1</source>
+        <translation>Lancer commence %1</translation>
     </message>
 </context>
 <context>
@@ -10764,10 +10720,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>L’essai nº %1 a poussé le moteur sans boucle.</translation>
     </message>
     <message>
-        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
-        <translation>Pas encore de modèle du moteur : la page Conception l’identifie, Maj+F6.</translation>
-    </message>
-    <message>
         <source>The device has the gains that are shown.</source>
         <translation>L’appareil a les gains affichés.</translation>
     </message>
@@ -10782,10 +10734,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Trial #%1 ran with these gains.</source>
         <translation>L’essai nº %1 a tourné avec ces gains.</translation>
-    </message>
-    <message>
-        <source>No trial with these gains yet: F5 runs one.</source>
-        <translation>Pas encore d’essai avec ces gains : F5 en lance un.</translation>
     </message>
     <message>
         <source>The gains are in flash.</source>
@@ -10811,6 +10759,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
         <translation>Le dernier contrôle l’a trouvée fausse : le codeur est inversé, ou le moteur n’a pas bougé.</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it.</source>
+        <translation>Pas encore de modèle du moteur : la page Conception l’identifie.</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: Run makes one.</source>
+        <translation>Pas encore d’essai avec ces gains : Lancer en fait un.</translation>
     </message>
 </context>
 <context>
@@ -15682,10 +15638,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>non envoyé&#xa0;: %1 là où une instruction de 24 bits n’en a pas&#x202f;; le fichier est peut-être pour un autre processeur</translation>
     </message>
     <message>
-        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>rien ne répond par SPI&#x202f;; la carte est hors tension ou mal câblée, ou elle attend dans son bootloader&#xa0;: mettez-la à jour, ou retirez le cavalier et réinitialisez-la</translation>
-    </message>
-    <message>
         <source>nothing could put the gains back after a crash</source>
         <translation>rien ne pourrait rétablir les gains après un plantage</translation>
     </message>
@@ -18844,6 +18796,82 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the last run of %1 was begun by another program, which still runs</source>
         <translation>la dernière exécution de %1 a été commencée par un autre programme, qui tourne encore</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL hears its stop, too, and would be started by it</source>
+        <translation>un variateur de dialecte LL entend aussi son arrêt et serait démarré par lui</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grossier</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>limite de courant</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>bruit de dérivée</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>n’a pas bougé</translation>
+    </message>
+    <message>
+        <source>do it once more if it is the same</source>
+        <translation>refaites-le si c’est le même</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>écart maximal</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>fin de course</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>marge</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>non symétrique</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
+        <translation>rien ne répond : pas d’alimentation, mauvais câblage, un autre débit ou aucun programme qui tourne ; mettez-le à jour, ou réinitialisez-le sans le cavalier de son bootloader</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>rampe</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>redémarrage requis</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>échantillons perdus</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>saturé</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>arrêt non confirmé</translation>
+    </message>
+    <message>
+        <source>stopped before its motor turned</source>
+        <translation>arrêté avant que son moteur ne tourne</translation>
+    </message>
+    <message>
+        <source>the unit tells no current in ampere: the duty limit stands in for %1 A</source>
+        <translation>l’appareil ne donne pas de courant en ampères : la limite de rapport cyclique remplace %1 A</translation>
+    </message>
+    <message>
+        <source>this place, not this unit: what is kept may be of another</source>
+        <translation>cet emplacement, pas cet appareil : ce qui est conservé peut être d’un autre</translation>
     </message>
 </context>
 </TS>

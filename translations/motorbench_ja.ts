@@ -2186,10 +2186,6 @@
         <translation>いいえ</translation>
     </message>
     <message>
-        <source>F5 tests again, F8 sets it aside</source>
-        <translation>F5 で再テスト、F8 でよける</translation>
-    </message>
-    <message>
         <source>duty at most %1 %</source>
         <translation>デューティ最大 %1 %</translation>
     </message>
@@ -2228,6 +2224,10 @@
     <message>
         <source>written, not proved</source>
         <translation>書き込み済み、未確認</translation>
+    </message>
+    <message>
+        <source>%1 tests again, %2 sets it aside</source>
+        <translation>%1 で再テスト、%2 でよける</translation>
     </message>
 </context>
 <context>
@@ -2371,10 +2371,6 @@
         <translation>検索</translation>
     </message>
     <message>
-        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>フィルタは一致しないものを隠し、検索は一致するものに印を付けます。F3 で次へ移動します</translation>
-    </message>
-    <message>
         <source>such as message:STS* device:5 not is:error</source>
         <translation>例: message:STS* device:5 not is:error</translation>
     </message>
@@ -2405,6 +2401,10 @@
     <message>
         <source>errors</source>
         <translation>エラー</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, Enter goes to the next</source>
+        <translation>フィルタは一致しないものを隠し、検索は一致するものに印を付けます。Enter で次へ移動します</translation>
     </message>
 </context>
 <context>
@@ -2487,6 +2487,10 @@
     <message>
         <source>load %1 &amp;nbsp; bytes/s %2</source>
         <translation>負荷 %1 &amp;nbsp; バイト/s %2</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>記録を開始、終了します</translation>
     </message>
 </context>
 <context>
@@ -2656,8 +2660,8 @@
         <translation>%1 を書込み</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+Shift+W</source>
-        <translation>書込み待ちの変更を書込み  Ctrl+Shift+W</translation>
+        <source>Write the staged changes</source>
+        <translation>書込み待ちの変更を書込み</translation>
     </message>
 </context>
 <context>
@@ -5107,6 +5111,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>log saved to %1</source>
         <translation>ログを %1 に保存しました</translation>
     </message>
+    <message>
+        <source>searches</source>
+        <translation>検索します</translation>
+    </message>
 </context>
 <context>
     <name>mb::MainWindow</name>
@@ -5559,26 +5567,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::OwnProposal</name>
     <message>
-        <source>margin</source>
-        <translation>余裕</translation>
-    </message>
-    <message>
-        <source>derivative noise</source>
-        <translation>微分ノイズ</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>最大偏差</translation>
-    </message>
-    <message>
-        <source>dead time</source>
-        <translation>むだ時間</translation>
-    </message>
-    <message>
-        <source>peak current</source>
-        <translation>ピーク電流</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>独自</translation>
     </message>
@@ -5710,8 +5698,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>何も保存していません。</translation>
     </message>
     <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>それ以前に書き込んだ値は有効です。Ctrl+Z で元に戻せます。</translation>
+        <source>What was written before it is in force. Undo takes it back.</source>
+        <translation>それ以前に書き込んだ値は有効です。「元に戻す」で戻せます。</translation>
     </message>
 </context>
 <context>
@@ -5764,8 +5752,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
-        <translation>↑↓ 行 · Enter 編集 · Ctrl+Shift+W 書込み</translation>
+        <source>↑↓ row · Enter edit · %1 write</source>
+        <translation>↑↓ 行 · Enter 編集 · %1 書込み</translation>
     </message>
 </context>
 <context>
@@ -6730,6 +6718,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>scales and limits of the project are in force</source>
         <translation>プロジェクトのスケールと制限が有効です</translation>
+    </message>
+    <message>
+        <source>dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks</source>
+        <translation>フォルダのダイアレクト %1 は有効ではありません。機器がそれを使うなら、インスペクタで選んでください</translation>
     </message>
 </context>
 <context>
@@ -8385,6 +8377,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Not kept</source>
         <translation>採用せず</translation>
     </message>
+    <message>
+        <source>duty %1, which stands in for a limit of current</source>
+        <translation>デューティ %1 (電流制限の代わり)</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -9706,10 +9702,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>周波数   欠落</translation>
     </message>
     <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L カーソル · 0 全体表示 · + − 拡大縮小 · P 一時停止 · N メモ</translation>
-    </message>
-    <message>
         <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
         <translation>平均 %1 · σ %2 · %3 … %4 · %5 サンプル</translation>
     </message>
@@ -9768,6 +9760,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Remove the trace</source>
         <translation>波形を削除</translation>
+    </message>
+    <message>
+        <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
+        <translation>%1 カーソル · %2 全体表示 · + − 拡大縮小 · %3 一時停止 · N メモ</translation>
     </message>
 </context>
 <context>
@@ -9963,46 +9959,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>saturated</source>
-        <translation>飽和</translation>
-    </message>
-    <message>
-        <source>current limit</source>
-        <translation>電流制限</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>ランプ</translation>
-    </message>
-    <message>
-        <source>limit switch</source>
-        <translation>リミットスイッチ</translation>
-    </message>
-    <message>
-        <source>samples lost</source>
-        <translation>サンプル欠落</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>coarse</source>
-        <translation>粗い</translation>
-    </message>
-    <message>
-        <source>not symmetric</source>
-        <translation>非対称</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>動作せず</translation>
-    </message>
-    <message>
-        <source>restart needed</source>
-        <translation>要再起動</translation>
-    </message>
-    <message>
         <source>better</source>
         <translation>改善</translation>
     </message>
@@ -10122,16 +10078,16 @@ double click plots it, drag it to a pane or below them</source>
         <translation>時間と値を全体表示</translation>
     </message>
     <message>
-        <source>No trial yet. F5 runs the first.</source>
-        <translation>試行はまだありません。F5 で最初の試行を実行します。</translation>
-    </message>
-    <message>
         <source>A #%1 is another stimulus, it is not drawn</source>
         <translation>A #%1 は励振が異なるため描画しません</translation>
     </message>
     <message>
         <source>Shift+click on a trial pins it as A</source>
         <translation>試行を Shift+クリックすると A として固定します</translation>
+    </message>
+    <message>
+        <source>No trial yet. Run makes the first.</source>
+        <translation>試行はまだありません。「実行」で最初の試行を行います。</translation>
     </message>
 </context>
 <context>
@@ -10325,10 +10281,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>駆動許可中</translation>
     </message>
     <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 で実験を実行します。</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>駆動未許可</translation>
     </message>
@@ -10347,6 +10299,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>its position is not known yet</source>
         <translation>位置がまだ分かりません</translation>
+    </message>
+    <message>
+        <source>Run begins the experiment.</source>
+        <translation>「実行」で実験を開始します。</translation>
     </message>
 </context>
 <context>
@@ -10532,10 +10488,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>駆動許可中</translation>
     </message>
     <message>
-        <source>F5 runs %1</source>
-        <translation>F5 で %1 を実行</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>駆動未許可</translation>
     </message>
@@ -10570,6 +10522,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 by %2</source>
         <translation>%1 を %2 だけ</translation>
+    </message>
+    <message>
+        <source>Run begins %1</source>
+        <translation>「実行」で %1 を開始</translation>
     </message>
 </context>
 <context>
@@ -10749,10 +10705,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>試行 #%1 がループなしでモーターを動かしました。</translation>
     </message>
     <message>
-        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
-        <translation>モーターのモデルはまだありません。設計ページで同定します（Shift+F6）。</translation>
-    </message>
-    <message>
         <source>The device has the gains that are shown.</source>
         <translation>機器のゲインは表示のとおりです。</translation>
     </message>
@@ -10767,10 +10719,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Trial #%1 ran with these gains.</source>
         <translation>試行 #%1 はこのゲインで実行しました。</translation>
-    </message>
-    <message>
-        <source>No trial with these gains yet: F5 runs one.</source>
-        <translation>このゲインでの試行はまだありません。F5 で実行します。</translation>
     </message>
     <message>
         <source>The gains are in flash.</source>
@@ -10796,6 +10744,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
         <translation>最後の確認で誤りが見つかりました。エンコーダーが逆か、モーターが動きませんでした。</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it.</source>
+        <translation>モーターのモデルはまだありません。設計ページで同定します。</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: Run makes one.</source>
+        <translation>このゲインでの試行はまだありません。「実行」で行います。</translation>
     </message>
 </context>
 <context>
@@ -15665,10 +15621,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>未送信: 24 ビット命令にはない位置の %1。別のプロセッサ用のファイルかもしれません</translation>
     </message>
     <message>
-        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>SPI で応答がありません。基板の電源断か誤配線、またはブートローダで待機中です: 更新するか、ジャンパを外してリセットしてください</translation>
-    </message>
-    <message>
         <source>nothing could put the gains back after a crash</source>
         <translation>クラッシュ後にゲインを元に戻す手段がありません</translation>
     </message>
@@ -18827,6 +18779,82 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the last run of %1 was begun by another program, which still runs</source>
         <translation>%1 の最後の実行は別のプログラムが始めたもので、そのプログラムはまだ動いています</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL hears its stop, too, and would be started by it</source>
+        <translation>ダイアレクト LL のドライブにもこの停止が届き、それによって始動してしまいます</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>粗い</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>電流制限</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>微分ノイズ</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>動作せず</translation>
+    </message>
+    <message>
+        <source>do it once more if it is the same</source>
+        <translation>同じ機器であればもう一度実行してください</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>最大偏差</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>リミットスイッチ</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>余裕</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>非対称</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
+        <translation>応答がありません：電源がない、配線が違う、速度が違う、または動作するプログラムがありません。更新するか、ブートローダのジャンパを外してリセットしてください</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>ランプ</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>要再起動</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>サンプル欠落</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>飽和</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>停止未確認</translation>
+    </message>
+    <message>
+        <source>stopped before its motor turned</source>
+        <translation>モーターが回る前に停止されました</translation>
+    </message>
+    <message>
+        <source>the unit tells no current in ampere: the duty limit stands in for %1 A</source>
+        <translation>機器は電流をアンペアで通知しません。%1 A の代わりにデューティ上限が適用されます</translation>
+    </message>
+    <message>
+        <source>this place, not this unit: what is kept may be of another</source>
+        <translation>この機器ではなくこの場所の記録です：保存されているのは別の機器のものかもしれません</translation>
     </message>
 </context>
 </TS>

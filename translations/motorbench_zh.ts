@@ -2186,10 +2186,6 @@
         <translation>否</translation>
     </message>
     <message>
-        <source>F5 tests again, F8 sets it aside</source>
-        <translation>F5 再次测试，F8 搁置</translation>
-    </message>
-    <message>
         <source>duty at most %1 %</source>
         <translation>占空比最大 %1 %</translation>
     </message>
@@ -2228,6 +2224,10 @@
     <message>
         <source>written, not proved</source>
         <translation>已写入，未证实</translation>
+    </message>
+    <message>
+        <source>%1 tests again, %2 sets it aside</source>
+        <translation>%1 再次测试，%2 搁置</translation>
     </message>
 </context>
 <context>
@@ -2371,10 +2371,6 @@
         <translation>查找</translation>
     </message>
     <message>
-        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
-        <translation>“筛选”隐藏不匹配项；“查找”标记匹配项，F3 转到下一个</translation>
-    </message>
-    <message>
         <source>such as message:STS* device:5 not is:error</source>
         <translation>例如 message:STS* device:5 not is:error</translation>
     </message>
@@ -2405,6 +2401,10 @@
     <message>
         <source>errors</source>
         <translation>错误</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, Enter goes to the next</source>
+        <translation>“筛选”隐藏不匹配项；“查找”标记匹配项，Enter 转到下一个</translation>
     </message>
 </context>
 <context>
@@ -2487,6 +2487,10 @@
     <message>
         <source>load %1 &amp;nbsp; bytes/s %2</source>
         <translation>负载 %1 &amp;nbsp; 字节/s %2</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>开始记录，或结束记录</translation>
     </message>
 </context>
 <context>
@@ -2656,8 +2660,8 @@
         <translation>写入 %1</translation>
     </message>
     <message>
-        <source>Write the staged changes  Ctrl+Shift+W</source>
-        <translation>写入暂存的更改  Ctrl+Shift+W</translation>
+        <source>Write the staged changes</source>
+        <translation>写入暂存的更改</translation>
     </message>
 </context>
 <context>
@@ -5107,6 +5111,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>log saved to %1</source>
         <translation>日志已保存到 %1</translation>
     </message>
+    <message>
+        <source>searches</source>
+        <translation>搜索</translation>
+    </message>
 </context>
 <context>
     <name>mb::MainWindow</name>
@@ -5559,26 +5567,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::OwnProposal</name>
     <message>
-        <source>margin</source>
-        <translation>裕度</translation>
-    </message>
-    <message>
-        <source>derivative noise</source>
-        <translation>微分噪声</translation>
-    </message>
-    <message>
-        <source>largest error</source>
-        <translation>最大误差</translation>
-    </message>
-    <message>
-        <source>dead time</source>
-        <translation>死区时间</translation>
-    </message>
-    <message>
-        <source>peak current</source>
-        <translation>峰值电流</translation>
-    </message>
-    <message>
         <source>own</source>
         <translation>自定</translation>
     </message>
@@ -5710,8 +5698,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>未保留任何内容。</translation>
     </message>
     <message>
-        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
-        <translation>在此之前写入的值已生效。Ctrl+Z 可撤销。</translation>
+        <source>What was written before it is in force. Undo takes it back.</source>
+        <translation>在此之前写入的值已生效。“撤销”可撤回。</translation>
     </message>
 </context>
 <context>
@@ -5764,8 +5752,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>%1。</translation>
     </message>
     <message>
-        <source>↑↓ row · Enter edit · Ctrl+Shift+W write</source>
-        <translation>↑↓ 换行 · Enter 编辑 · Ctrl+Shift+W 写入</translation>
+        <source>↑↓ row · Enter edit · %1 write</source>
+        <translation>↑↓ 换行 · Enter 编辑 · %1 写入</translation>
     </message>
 </context>
 <context>
@@ -6730,6 +6718,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>scales and limits of the project are in force</source>
         <translation>项目的比例和限值已生效</translation>
+    </message>
+    <message>
+        <source>dialect %1 of the folder is not in force: choose it in the inspector if that is what it speaks</source>
+        <translation>文件夹中的方言 %1 未生效：若设备使用该方言，请在检查器中选择</translation>
     </message>
 </context>
 <context>
@@ -8385,6 +8377,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Not kept</source>
         <translation>未保留</translation>
     </message>
+    <message>
+        <source>duty %1, which stands in for a limit of current</source>
+        <translation>占空比 %1（代替电流限制）</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -9706,10 +9702,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>频率      丢失</translation>
     </message>
     <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L 光标 · 0 适配 · + − 缩放 · P 暂停 · N 注释</translation>
-    </message>
-    <message>
         <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
         <translation>平均 %1 · σ %2 · %3 … %4 · %5 个采样</translation>
     </message>
@@ -9768,6 +9760,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Remove the trace</source>
         <translation>移除曲线</translation>
+    </message>
+    <message>
+        <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
+        <translation>%1 光标 · %2 适配 · + − 缩放 · %3 暂停 · N 注释</translation>
     </message>
 </context>
 <context>
@@ -9963,46 +9959,6 @@ double click plots it, drag it to a pane or below them</source>
 <context>
     <name>mb::TrialWords</name>
     <message>
-        <source>saturated</source>
-        <translation>饱和</translation>
-    </message>
-    <message>
-        <source>current limit</source>
-        <translation>电流限制</translation>
-    </message>
-    <message>
-        <source>ramp</source>
-        <translation>斜坡</translation>
-    </message>
-    <message>
-        <source>limit switch</source>
-        <translation>限位开关</translation>
-    </message>
-    <message>
-        <source>samples lost</source>
-        <translation>采样丢失</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
-        <source>coarse</source>
-        <translation>粗糙</translation>
-    </message>
-    <message>
-        <source>not symmetric</source>
-        <translation>不对称</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>未运动</translation>
-    </message>
-    <message>
-        <source>restart needed</source>
-        <translation>需要重启</translation>
-    </message>
-    <message>
         <source>better</source>
         <translation>更好</translation>
     </message>
@@ -10122,16 +10078,16 @@ double click plots it, drag it to a pane or below them</source>
         <translation>适配时间和数值</translation>
     </message>
     <message>
-        <source>No trial yet. F5 runs the first.</source>
-        <translation>尚无试验。按 F5 运行第一次。</translation>
-    </message>
-    <message>
         <source>A #%1 is another stimulus, it is not drawn</source>
         <translation>A #%1 的激励不同，未绘制</translation>
     </message>
     <message>
         <source>Shift+click on a trial pins it as A</source>
         <translation>Shift+单击试验可将其固定为 A</translation>
+    </message>
+    <message>
+        <source>No trial yet. Run makes the first.</source>
+        <translation>尚无试验。“运行”进行第一次。</translation>
     </message>
 </context>
 <context>
@@ -10325,10 +10281,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已解锁</translation>
     </message>
     <message>
-        <source>F5 runs the experiment.</source>
-        <translation>F5 运行实验。</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>未解锁</translation>
     </message>
@@ -10347,6 +10299,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>its position is not known yet</source>
         <translation>其位置尚不清楚</translation>
+    </message>
+    <message>
+        <source>Run begins the experiment.</source>
+        <translation>“运行”开始实验。</translation>
     </message>
 </context>
 <context>
@@ -10532,10 +10488,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已解锁</translation>
     </message>
     <message>
-        <source>F5 runs %1</source>
-        <translation>F5 运行%1</translation>
-    </message>
-    <message>
         <source>Not armed</source>
         <translation>未解锁</translation>
     </message>
@@ -10570,6 +10522,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 by %2</source>
         <translation>%1 移动 %2</translation>
+    </message>
+    <message>
+        <source>Run begins %1</source>
+        <translation>“运行”开始%1</translation>
     </message>
 </context>
 <context>
@@ -10749,10 +10705,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>试验 #%1 在无闭环下推动了电机。</translation>
     </message>
     <message>
-        <source>No model of the motor yet: the page Design identifies it, Shift+F6.</source>
-        <translation>尚无电机模型：在“设计”页辨识，Shift+F6。</translation>
-    </message>
-    <message>
         <source>The device has the gains that are shown.</source>
         <translation>设备中的增益与显示一致。</translation>
     </message>
@@ -10767,10 +10719,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Trial #%1 ran with these gains.</source>
         <translation>试验 #%1 使用了这些增益。</translation>
-    </message>
-    <message>
-        <source>No trial with these gains yet: F5 runs one.</source>
-        <translation>尚无使用这些增益的试验：按 F5 运行。</translation>
     </message>
     <message>
         <source>The gains are in flash.</source>
@@ -10796,6 +10744,14 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>The last check found it wrong: the encoder is reversed, or the motor did not move.</source>
         <translation>上次检查发现不正确：编码器接反，或电机没有转动。</translation>
+    </message>
+    <message>
+        <source>No model of the motor yet: the page Design identifies it.</source>
+        <translation>尚无电机模型：在“设计”页辨识。</translation>
+    </message>
+    <message>
+        <source>No trial with these gains yet: Run makes one.</source>
+        <translation>尚无使用这些增益的试验：“运行”进行一次。</translation>
     </message>
 </context>
 <context>
@@ -15665,10 +15621,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>未发送：%1 出现在 24 位指令不应有内容之处，文件可能用于其他处理器</translation>
     </message>
     <message>
-        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
-        <translation>SPI 上无任何应答；板卡未供电或接线错误，或在其引导程序中等待：请更新它，或取下跳线并复位</translation>
-    </message>
-    <message>
         <source>nothing could put the gains back after a crash</source>
         <translation>崩溃后将无法恢复增益</translation>
     </message>
@@ -18827,6 +18779,82 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the last run of %1 was begun by another program, which still runs</source>
         <translation>%1 的上一次运行由另一个程序开始，该程序仍在运行</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL hears its stop, too, and would be started by it</source>
+        <translation>方言 LL 的驱动器也会收到它的停止命令，并会因此启动</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>粗糙</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>电流限制</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>微分噪声</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>未运动</translation>
+    </message>
+    <message>
+        <source>do it once more if it is the same</source>
+        <translation>若是同一台，请再执行一次</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>最大误差</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>限位开关</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>裕度</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>不对称</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
+        <translation>无应答：没有电源、接线错误、速率不同，或没有可运行的程序；请更新它，或取下其引导程序的跳线后复位</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>斜坡</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>需要重启</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>采样丢失</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>饱和</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>停止未确认</translation>
+    </message>
+    <message>
+        <source>stopped before its motor turned</source>
+        <translation>在其电机转动之前已停止</translation>
+    </message>
+    <message>
+        <source>the unit tells no current in ampere: the duty limit stands in for %1 A</source>
+        <translation>设备不以安培给出电流：由占空比限值代替 %1 A</translation>
+    </message>
+    <message>
+        <source>this place, not this unit: what is kept may be of another</source>
+        <translation>是此位置，而非此设备：所保存的可能属于另一台</translation>
     </message>
 </context>
 </TS>
