@@ -31,7 +31,6 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
     , m_events(std::move(events))
     , m_isRecording(link.address().isRecording())
     , m_questions(link, clock)
-    , m_neighbours(link, clock)
     , m_timer(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
         if (!traffic.can)

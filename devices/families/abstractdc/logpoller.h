@@ -2,7 +2,6 @@
 #pragma once
 
 #include "families/abstractdc/codec.h"
-#include "families/abstractdc/neighbours.h"
 #include "families/abstractdc/questionwatch.h"
 #include "transport/canlink.h"
 
@@ -32,7 +31,7 @@ public:
     [[nodiscard]] bool isHeard() const { return m_heard; }
     [[nodiscard]] const QuestionWatch &questions() const { return m_questions; }
     /// What this drive is sent, others do, too: it has offset 0, and others answer. Then nobody is asked for the voltage log.
-    [[nodiscard]] bool reachesOthers() const { return m_offset == 0 && m_neighbours.areHeard(); }
+    [[nodiscard]] bool reachesOthers() const { return m_offset == 0 && m_questions.hearsOthers(); }
     /// Of those, a drive of dialect LL, which takes a stop of eight bytes for a set-point.
     [[nodiscard]] bool reachesOldest() const { return m_offset == 0 && m_questions.hears(dialectLL); }
 
@@ -60,7 +59,6 @@ private:
     Events m_events;
     bool m_isRecording;
     QuestionWatch m_questions;
-    Neighbours m_neighbours;
     const Dialect *m_dialect = nullptr;
     int m_offset = 0;
     std::array<Wish, logCount> m_wishes{};

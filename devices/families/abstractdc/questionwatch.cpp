@@ -9,6 +9,7 @@ namespace mb::abstractdc {
 namespace {
 
 constexpr Duration longestHeldBack = std::chrono::seconds(1);
+constexpr Duration neighbourMemory = std::chrono::seconds(5);
 
 } // namespace
 
@@ -31,11 +32,33 @@ void QuestionWatch::pass(const CanFrame &frame)
         return;
     if (const auto question = questionIn(frame)) {
         m_book.ask(*question, frame.time, 2 * answerTime(m_link));
+        if (question->offset == 0 && question->base == id::logRequest)
+            m_toAll.ask(*question, frame.time, 2 * answerTime(m_link));
     } else if (frame.size == 4) {
         m_book.expire(frame.time);
+        m_toAll.expire(frame.time);
         m_explained = m_book.explain(frame.id);
+        if (isOfAnother(frame.id))
+            m_othersAt = frame.time;
         settle();
     }
+}
+
+/// Offset 0 itself, in whatever dialect, is none.
+bool QuestionWatch::isOfAnother(std::uint32_t identifier) const
+{
+    const bool isOfZero = std::ranges::any_of(dialects, [identifier](const Dialect *dialect) {
+        return std::ranges::find(dialect->reply, static_cast<int>(identifier)) != dialect->reply.end();
+    });
+    return !isOfZero
+        && (!m_explained.empty() || std::ranges::any_of(m_toAll.open(), [identifier](const QuestionBook::Open &open) {
+               return !explain(open.question, identifier, true).empty();
+           }));
+}
+
+bool QuestionWatch::hearsOthers() const
+{
+    return m_othersAt && m_clock.now() - *m_othersAt <= neighbourMemory;
 }
 
 /// It wins over every answer on the wire, which comes so much later.

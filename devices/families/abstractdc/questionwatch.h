@@ -5,6 +5,7 @@
 #include "transport/canlink.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace mb::abstractdc {
@@ -26,6 +27,9 @@ public:
     /// `dialect` nullptr: of a drive that was asked for the speed and by itself.
     [[nodiscard]] bool isOf(int offset, const Dialect *dialect) const;
 
+    /// Drives with offsets other than 0 have answered within the last seconds, whoever asked them: what is sent to offset 0 reaches
+    /// them, too (README.md#offsets).
+    [[nodiscard]] bool hearsOthers() const;
     /// Some drive was heard to speak it.
     [[nodiscard]] bool hears(const Dialect &dialect) const;
     /// Somebody has asked this and may still be answered.
@@ -37,12 +41,15 @@ private:
     void pass(const CanFrame &frame);
     void holdBack(const CanFrame &order);
     void settle();
+    [[nodiscard]] bool isOfAnother(std::uint32_t identifier) const;
 
     CanLink &m_link;
     Clock &m_clock;
     QuestionBook m_book;
+    QuestionBook m_toAll;                 ///< those to offset 0, which no first answer closes: all drives answer them
     std::vector<Explanation> m_explained; ///< of the log that is passing
     std::array<const Dialect *, maxOffset + 1> m_heard{};
+    std::optional<Instant> m_othersAt;
     Subscription m_traffic;
 };
 
