@@ -7,6 +7,8 @@
 #include "storage/trialfile.h"
 #include "storage/trialjson.h"
 
+#include <optional>
+
 namespace mb::console {
 namespace {
 

@@ -37,7 +37,6 @@ private Q_SLOTS:
     void aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTrusted();
     void aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatWasStopped();
     void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
-    void whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
     void theKeysOrder();
     void anErrorLeavesThePageAsItWasAndArmed();
@@ -293,26 +292,6 @@ void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()
     bench.page->prove();
     QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(3));
     QVERIFY(bench.workbench.given<orders::RunTuning>()[2].plan.known == std::optional(identified().plant));
-}
-
-void TestDesignPage::whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven()
-{
-    DesignBench bench;
-    bench.arm();
-    bench.page->identify();
-    bench.finish(identified());
-    bench.page->chooseOwn(0.3, 1.6);
-    QVERIFY(bench.page->chosen());
-    bench.page->identify();
-    TuneReport refused = identified();
-    refused.result = TuneResult::Refused;
-    refused.gates.front().passed = false;
-    refused.proposals.clear();
-    bench.finish(refused);
-    QVERIFY(bench.cards().isEmpty() && !bench.own()->isVisible());
-    QVERIFY(!bench.page->chosen());
-    bench.page->prove();
-    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
 }
 
 void TestDesignPage::cardsAreChosenByKeysAndShowTheirOwnLoop()

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void gainsOfSetsThatAreNotChosenGiveWayToTheSlidersInALowWindow();
     void aModelThatIsNotBelievedIsNeverFolded();
     void whatIsInOrderTakesOneLineWhereThereIsLittleRoom();
+    void whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven();
 };
 
 namespace {
@@ -366,6 +367,26 @@ void TestDesignSight::whatIsInOrderTakesOneLineWhereThereIsLittleRoom()
     makeSmall(bench);
     QVERIFY2(!wordsIn(*advisers).contains(quiet), qPrintable(wordsIn(*advisers)));
     QVERIFY2(wordsIn(*advisers).contains(QStringLiteral("Resolution")), qPrintable(wordsIn(*advisers)));
+}
+
+void TestDesignSight::whatIsHiddenBecauseItsModelIsNotBelievedIsNotProven()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    bench.page->chooseOwn(0.3, 1.6);
+    QVERIFY(bench.page->chosen());
+    bench.page->identify();
+    TuneReport refused = identified();
+    refused.result = TuneResult::Refused;
+    refused.gates.front().passed = false;
+    refused.proposals.clear();
+    bench.finish(refused);
+    QVERIFY(bench.cards().isEmpty() && !bench.own()->isVisible());
+    QVERIFY(!bench.page->chosen());
+    bench.page->prove();
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
 }
 
 MB_WINDOW_TEST(TestDesignSight);

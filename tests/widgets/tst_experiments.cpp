@@ -4,15 +4,12 @@
 #include "trialbench.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/control/axespanel.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/tuneframe.h"
-#include "widgets/parameters/editdesk.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPointer>
@@ -20,33 +17,6 @@
 using namespace mb;
 using namespace mb::test;
 using tuning::Trial;
-
-namespace {
-
-/// A board with four axes beside the drive, armed.
-struct BoardBench : TrialBench {
-    BoardBench()
-    {
-        DeviceView board;
-        board.id = {2};
-        board.family = findFamily(families(), "quadquad2drv");
-        board.link = board.unit = "sim:can";
-        board.liveness.heard = true;
-        board.telemetry = std::make_shared<Telemetry>(board.family->channels);
-        board.parameters.edit().resize(board.family->parameters.size());
-        workbench.shot.devices.push_back(board);
-        look(1);
-        arming.arm({2});
-        workbench.publish();
-    }
-    void look(int axis)
-    {
-        selection.select({2}, axis);
-        workbench.publish();
-    }
-};
-
-} // namespace
 
 class TestExperiments : public QObject {
     Q_OBJECT
@@ -59,11 +29,6 @@ private Q_SLOTS:
     void twoTrialsLieOverEachOtherWithTheirDifferenceInWords();
     void anotherStimulusIsNotDrawnOverB();
     void theGainsOfATrialComeBackAsEdits();
-    void adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited();
-    void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes_data();
-    void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes();
-    void aTrialThatIsForgottenIsNotLookedAtAnyMore();
-    void theReportHasOnlyTrialsThatAreKept();
     void theListSortsFiltersStarsAndNotes();
     void aNoteThatIsBeingWrittenOutlivesTheEndOfATrial();
     void aGuardLatchesTheStopAndSaysItsName();
@@ -242,90 +207,6 @@ void TestExperiments::theGainsOfATrialComeBackAsEdits()
     QCOMPARE(bench.page->column().gainsPanel().toWrite().size(), 2U);
     bench.page->run();
     QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.gains.size(), 2U);
-}
-
-void TestExperiments::adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited()
-{
-    TrialBench bench;
-    Q_EMIT bench.page->trials().stageRequested({{"slot1.p", 0.75}, {"slot1.i", 0.0}});
-    const auto staged = bench.page->column().gainsPanel().toWrite();
-    QCOMPARE(staged.size(), 2U);
-    for (const ParameterChange &change : staged)
-        QVERIFY(change.index == named("slot0.p") || (change.index == named("slot0.i") && change.raw == 0));
-}
-
-void TestExperiments::everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes_data()
-{
-    QTest::addColumn<int>("shown");
-    QTest::newRow("gains are staged on the axis that is shown at F5") << 3;
-    QTest::newRow("gains are staged on another") << 1;
-}
-
-void TestExperiments::everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes()
-{
-    QFETCH(const int, shown);
-    BoardBench bench;
-    bench.look(shown);
-    bench.choose(500.0);
-    const DeviceView &board = bench.workbench.device(1);
-    const auto p = findParameter(board.family->parameters, "ch3.velocity.p");
-    EditDesk::of(bench.workbench).editsOf(board).stageAll({{*p, 77}}, s("P"));
-    QCOMPARE(bench.page->column().gainsPanel().toWrite().size(), shown == 3 ? 1U : 0U);
-    bench.page->column().axesPanel().setTogether({1, 3});
-    bench.page->run();
-    const auto trials = [&bench] { return bench.workbench.given<orders::RunTrial>(); };
-    QVERIFY2(trials().size() == 1, qPrintable(problemOf(bench)));
-    QCOMPARE(trials()[0].plan.axis, 1);
-    QVERIFY(trials()[0].plan.gains.empty());
-    bench.look(shown == 3 ? 1 : 3);
-    bench.finish(0.7);
-    QCOMPARE(trials().size(), 2U);
-    QCOMPARE(trials()[1].plan.axis, 3);
-    QCOMPARE(trials()[1].plan.gains.size(), shown == 3 ? 1U : 0U);
-}
-
-void TestExperiments::aTrialThatIsForgottenIsNotLookedAtAnyMore()
-{
-    TrialBench bench;
-    bench.choose(60'000.0);
-    bench.arm();
-    for (const double damping : {0.5, 0.7}) {
-        bench.page->run();
-        bench.finish(damping);
-    }
-    for (KeptTrial &kept : bench.workbench.book.kept)
-        kept.time = 1.7e9;
-    TrialsView &trials = bench.page->trials();
-    trials.reload();
-    QTRY_COMPARE(trials.b()->time, 1.7e9);
-    bench.workbench.book.remove(2, [](const Result<void> &) {});
-    trials.reload();
-    QTRY_VERIFY(trials.b() && trials.b()->number == 1); // the newest that is left
-    QCOMPARE(trials.b()->trial.signals.size(), 2U);
-    bench.workbench.book.remove(1, [](const Result<void> &) {});
-    trials.reload();
-    QTRY_VERIFY(!trials.a() && !trials.b());
-    QCOMPARE(bench.metric(0, 2), QString(UnknownMark));
-}
-
-void TestExperiments::theReportHasOnlyTrialsThatAreKept()
-{
-    TrialBench bench;
-    bench.choose(60'000.0);
-    bench.arm();
-    bench.page->run();
-    bench.finish(0.5);
-    bench.page->run();
-    const auto planned = bench.workbench.given<orders::RunTrial>().back();
-    Trial lost = responseOf(planned.plan, 0, 0.7, bench.unit()); // the disk was full
-    lost.number.reset();
-    planned.finished(lost);
-    QCOMPARE(bench.page->trials().b()->number, std::int64_t{0});
-    QTest::keyClick(bench.page.get(), Qt::Key_P, Qt::ControlModifier);
-    auto *const dialog = bench.page->findChild<QFileDialog *>();
-    QVERIFY(dialog);
-    Q_EMIT dialog->fileSelected(s("/nonexistent/a.html"));
-    QCOMPARE(bench.workbench.book.wishes.back().trials, std::vector<std::int64_t>{1});
 }
 
 void TestExperiments::theListSortsFiltersStarsAndNotes()

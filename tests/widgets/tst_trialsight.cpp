@@ -3,9 +3,11 @@
 #include "support/windowtests.h"
 #include "trialbench.h"
 #include "widgets/common/applytheme.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/tunesteps.h"
 
+#include <QFileDialog>
 #include <QHeaderView>
 
 using namespace mb;
@@ -18,6 +20,8 @@ private Q_SLOTS:
     void aColumnThatFitsIsShown();
     void theStepsSayWhatIsDoneAndWhatIsNext();
     void theSmallestWindowShowsTheCurrentAndKeepsTheResponseLarge();
+    void aTrialThatIsForgottenIsNotLookedAtAnyMore();
+    void theReportHasOnlyTrialsThatAreKept();
 };
 
 void TestTrialSight::theHeadThatSortsSaysSoBesideItsWord()
@@ -126,6 +130,50 @@ void TestTrialSight::theSmallestWindowShowsTheCurrentAndKeepsTheResponseLarge()
         const int needed = QFontMetrics(name.font()).horizontalAdvance(name.text()) + 14;
         QVERIFY2(needed <= metrics.table().columnWidth(0), qPrintable(name.text()));
     }
+}
+
+void TestTrialSight::aTrialThatIsForgottenIsNotLookedAtAnyMore()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    for (const double damping : {0.5, 0.7}) {
+        bench.page->run();
+        bench.finish(damping);
+    }
+    for (KeptTrial &kept : bench.workbench.book.kept)
+        kept.time = 1.7e9;
+    TrialsView &trials = bench.page->trials();
+    trials.reload();
+    QTRY_COMPARE(trials.b()->time, 1.7e9);
+    bench.workbench.book.remove(2, [](const Result<void> &) {});
+    trials.reload();
+    QTRY_VERIFY(trials.b() && trials.b()->number == 1); // the newest that is left
+    QCOMPARE(trials.b()->trial.signals.size(), 2U);
+    bench.workbench.book.remove(1, [](const Result<void> &) {});
+    trials.reload();
+    QTRY_VERIFY(!trials.a() && !trials.b());
+    QCOMPARE(bench.metric(0, 2), QString(UnknownMark));
+}
+
+void TestTrialSight::theReportHasOnlyTrialsThatAreKept()
+{
+    TrialBench bench;
+    bench.choose(60'000.0);
+    bench.arm();
+    bench.page->run();
+    bench.finish(0.5);
+    bench.page->run();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
+    tuning::Trial lost = responseOf(planned.plan, 0, 0.7, bench.unit()); // the disk was full
+    lost.number.reset();
+    planned.finished(lost);
+    QCOMPARE(bench.page->trials().b()->number, std::int64_t{0});
+    QTest::keyClick(bench.page.get(), Qt::Key_P, Qt::ControlModifier);
+    auto *const dialog = bench.page->findChild<QFileDialog *>();
+    QVERIFY(dialog);
+    Q_EMIT dialog->fileSelected(s("/nonexistent/a.html"));
+    QCOMPARE(bench.workbench.book.wishes.back().trials, std::vector<std::int64_t>{1});
 }
 
 MB_WINDOW_TEST(TestTrialSight);

@@ -1,13 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
-#include "tunehand.h"
+#include "trialbench.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
+#include "widgets/parameters/editdesk.h"
 
 #include <QSlider>
 
 using namespace mb;
 using namespace mb::test;
+
+namespace {
+
+/// A board with four axes beside the drive, armed.
+struct BoardBench : TrialBench {
+    BoardBench()
+    {
+        DeviceView board;
+        board.id = {2};
+        board.family = findFamily(families(), "quadquad2drv");
+        board.link = board.unit = "sim:can";
+        board.liveness.heard = true;
+        board.telemetry = std::make_shared<Telemetry>(board.family->channels);
+        board.parameters.edit().resize(board.family->parameters.size());
+        workbench.shot.devices.push_back(board);
+        look(1);
+        arming.arm({2});
+        workbench.publish();
+    }
+    void look(int axis)
+    {
+        selection.select({2}, axis);
+        workbench.publish();
+    }
+};
+
+} // namespace
 
 class TestTuneGains : public QObject {
     Q_OBJECT
@@ -20,6 +49,9 @@ private Q_SLOTS:
     void writeAndRunWaitsForTheGains();
     void gainsThatWereNotWrittenStartNothing();
     void disarmedDuringTheWriteStartsNothing();
+    void adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited();
+    void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes_data();
+    void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes();
 };
 
 void TestTuneGains::anEditedGainGoesOutWithItsRawValue()
@@ -138,6 +170,46 @@ void TestTuneGains::disarmedDuringTheWriteStartsNothing()
     bench.workbench.given<orders::WriteParameters>().at(0).finished({});
     QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
+}
+
+void TestTuneGains::adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited()
+{
+    TrialBench bench;
+    Q_EMIT bench.page->trials().stageRequested({{"slot1.p", 0.75}, {"slot1.i", 0.0}});
+    const auto staged = bench.page->column().gainsPanel().toWrite();
+    QCOMPARE(staged.size(), 2U);
+    for (const ParameterChange &change : staged)
+        QVERIFY(change.index == named("slot0.p") || (change.index == named("slot0.i") && change.raw == 0));
+}
+
+void TestTuneGains::everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes_data()
+{
+    QTest::addColumn<int>("shown");
+    QTest::newRow("gains are staged on the axis that is shown at F5") << 3;
+    QTest::newRow("gains are staged on another") << 1;
+}
+
+void TestTuneGains::everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes()
+{
+    QFETCH(const int, shown);
+    BoardBench bench;
+    bench.look(shown);
+    bench.choose(500.0);
+    const DeviceView &board = bench.workbench.device(1);
+    const auto p = findParameter(board.family->parameters, "ch3.velocity.p");
+    EditDesk::of(bench.workbench).editsOf(board).stageAll({{*p, 77}}, s("P"));
+    QCOMPARE(bench.page->column().gainsPanel().toWrite().size(), shown == 3 ? 1U : 0U);
+    bench.page->column().axesPanel().setTogether({1, 3});
+    bench.page->run();
+    const auto trials = [&bench] { return bench.workbench.given<orders::RunTrial>(); };
+    QVERIFY2(trials().size() == 1, qPrintable(problemOf(bench)));
+    QCOMPARE(trials()[0].plan.axis, 1);
+    QVERIFY(trials()[0].plan.gains.empty());
+    bench.look(shown == 3 ? 1 : 3);
+    bench.finish(0.7);
+    QCOMPARE(trials().size(), 2U);
+    QCOMPARE(trials()[1].plan.axis, 3);
+    QCOMPARE(trials()[1].plan.gains.size(), shown == 3 ? 1U : 0U);
 }
 
 MB_WINDOW_TEST(TestTuneGains);

@@ -6,6 +6,9 @@
 #include "widgets/control/tunemotion.h"
 #include "widgets/control/tuneparts.h"
 
+#include <utility>
+#include <vector>
+
 namespace mb {
 
 class BatteryDialog;
