@@ -2,6 +2,7 @@
 #include "model/session.h"
 
 #include "async/sleep.h"
+#include "model/family.h"
 #include "model/passivediscovery.h"
 
 #include <algorithm>

@@ -128,8 +128,7 @@ Result<void> Database::prepare()
 {
     for (const char *const setting :
         {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"}) {
-        if (auto set = run(setting); !set)
-            return set;
+        MB_TRY_VOID(run(setting));
     }
     return migrate();
 }
@@ -154,8 +153,7 @@ Result<void> Database::migrate()
             const QStringList statements = QString::fromUtf8(versions[static_cast<std::size_t>(version)])
                                                .split(QStringLiteral(";\n"), Qt::SkipEmptyParts);
             for (const QString &statement : statements) {
-                if (auto done = run(statement.toUtf8().constData()); !done)
-                    return done;
+                MB_TRY_VOID(run(statement.toUtf8().constData()));
             }
         }
         return run(("PRAGMA user_version = " + std::to_string(newest)).c_str());
@@ -197,8 +195,7 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
 
 Result<void> Database::transact(const std::function<Result<void>()> &work)
 {
-    if (auto begun = run("BEGIN IMMEDIATE"); !begun)
-        return begun;
+    MB_TRY_VOID(run("BEGIN IMMEDIATE"));
     auto worked = work();
     const int code = m_lastCode;
     if (worked) {

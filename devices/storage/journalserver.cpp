@@ -15,8 +15,7 @@ Result<void> runAll(SqlConnection &sql, const char *statements)
     for (const QString &statement : QString::fromUtf8(statements).split(QStringLiteral(";\n"), Qt::SkipEmptyParts)) {
         if (statement.trimmed().isEmpty())
             continue;
-        if (auto done = sql.run(statement.toUtf8().constData()); !done)
-            return done;
+        MB_TRY_VOID(sql.run(statement.toUtf8().constData()));
     }
     return {};
 }
@@ -82,8 +81,7 @@ Result<void> JournalServer::prepare() const
 Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits, const std::vector<GivenNumber> &numbers) const
 {
     MB_TRY(const auto connection, connect());
-    if (auto put = putNumbers(*connection, numbers); !put)
-        return put;
+    MB_TRY_VOID(putNumbers(*connection, numbers));
     return putVisits(*connection, visits);
 }
 

@@ -114,11 +114,9 @@ Result<void> putNumbers(SqlConnection &sql, const std::vector<GivenNumber> &numb
 {
     return sql.transact([&]() -> Result<void> {
         for (const GivenNumber &given : numbers) {
-            auto put = sql.run("INSERT INTO service_number (scope, number, unit, visit) VALUES (?, ?, ?, ?) "
-                               "ON CONFLICT (scope, number) DO NOTHING",
-                {qt(given.scope), given.number, qt(given.unit), qt(given.visit)});
-            if (!put)
-                return put;
+            MB_TRY_VOID(sql.run("INSERT INTO service_number (scope, number, unit, visit) VALUES (?, ?, ?, ?) "
+                                "ON CONFLICT (scope, number) DO NOTHING",
+                {qt(given.scope), given.number, qt(given.unit), qt(given.visit)}));
         }
         return {};
     });

@@ -98,8 +98,7 @@ Result<void> addTunings(TrialBook &book, ReportUnit &unit, const std::vector<std
     }
     for (KeptTuning &kept : unit.tunings) {
         for (tuning::Trial &trial : kept.report.proof) {
-            if (auto added = addSignals(book, trial); !added)
-                return added;
+            MB_TRY_VOID(addSignals(book, trial));
         }
     }
     return {};
@@ -128,14 +127,12 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
     MB_TRY(auto history, book.listOf(unit.unit));
     unit.history = std::move(history);
     addVisits(book.database(), unit, wish.visit);
-    if (auto added = addTunings(book, unit, wish.trials); !added)
-        return added;
+    MB_TRY_VOID(addTunings(book, unit, wish.trials));
     unit.trials = shownTrials(unit, wish);
     unit.sines = newestSweep(unit.history, wish.trials);
     for (std::vector<KeptTrial> *const shown : {&unit.sines, &unit.trials}) {
         for (KeptTrial &kept : *shown) {
-            if (auto added = addSignals(book, kept.trial); !added)
-                return added;
+            MB_TRY_VOID(addSignals(book, kept.trial));
         }
     }
     return {};

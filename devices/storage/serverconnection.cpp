@@ -130,8 +130,7 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
 
 Result<void> ServerConnection::transact(const std::function<Result<void>()> &work)
 {
-    if (auto begun = run("BEGIN"); !begun)
-        return begun;
+    MB_TRY_VOID(run("BEGIN"));
     auto worked = work();
     if (worked)
         worked = run("COMMIT");

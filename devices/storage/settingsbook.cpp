@@ -151,12 +151,10 @@ Task<std::int64_t> SettingsBook::begin(SettingsChange change)
 {
     std::int64_t number = 0;
     const auto added = m_database.transact([&]() -> Result<void> {
-        auto begun = m_database.run(
+        MB_TRY_VOID(m_database.run(
             "INSERT INTO change (time, unit, device, person, origin, purpose, of) VALUES (?, ?, ?, ?, ?, ?, ?)",
             {now(), qt(resolved(change.unit)), qt(change.device), qt(m_person), qt(toString(change.origin)),
-                qt(toString(change.purpose)), orNull(change.of)});
-        if (!begun)
-            return begun;
+                qt(toString(change.purpose)), orNull(change.of)}));
         number = m_database.lastRow();
         return addValues(number, change.values);
     });
@@ -168,9 +166,7 @@ Task<std::int64_t> SettingsBook::begin(SettingsChange change)
 Task<void> SettingsBook::complete(std::int64_t number, std::vector<ValueChange> values)
 {
     co_return m_database.transact([&]() -> Result<void> {
-        if (auto cleared = m_database.run("DELETE FROM changed_value WHERE change = ?", {static_cast<qint64>(number)});
-            !cleared)
-            return cleared;
+        MB_TRY_VOID(m_database.run("DELETE FROM changed_value WHERE change = ?", {static_cast<qint64>(number)}));
         return addValues(number, values);
     });
 }
@@ -179,12 +175,10 @@ Result<void> SettingsBook::addValues(std::int64_t number, const std::vector<Valu
 {
     int place = 0;
     for (const ValueChange &value : values) {
-        auto added = m_database.run("INSERT INTO changed_value (change, place, key, before, after, proof) "
-                                    "VALUES (?, ?, ?, ?, ?, ?)",
+        MB_TRY_VOID(m_database.run("INSERT INTO changed_value (change, place, key, before, after, proof) "
+                                   "VALUES (?, ?, ?, ?, ?, ?)",
             {static_cast<qint64>(number), place++, qt(value.key), orNull(value.before),
-                static_cast<qint64>(value.after), qt(toString(value.proof))});
-        if (!added)
-            return added;
+                static_cast<qint64>(value.after), qt(toString(value.proof))}));
     }
     return {};
 }

@@ -161,10 +161,8 @@ Task<void> TrialBook::owe(std::int64_t trial, std::string unit, std::vector<tuni
         for (const tuning::OwedValue &value : values) {
             const QVariant tried
                 = value.tried ? QVariant(static_cast<qint64>(*value.tried)) : QVariant(QVariant::LongLong);
-            auto added = m_database.run(oweOne,
-                {qt(unit), qt(value.key), static_cast<qint64>(trial), static_cast<qint64>(value.raw), tried, time});
-            if (!added)
-                return added;
+            MB_TRY_VOID(m_database.run(oweOne,
+                {qt(unit), qt(value.key), static_cast<qint64>(trial), static_cast<qint64>(value.raw), tried, time}));
         }
         return {};
     });
@@ -181,9 +179,7 @@ Task<void> TrialBook::release(std::string unit, std::vector<std::string> keys)
     unit = resolvedUnit(m_database, unit);
     co_return m_database.transact([&]() -> Result<void> {
         for (const std::string &key : keys) {
-            auto deleted = m_database.run("DELETE FROM owed WHERE unit = ? AND key = ?", {qt(unit), qt(key)});
-            if (!deleted)
-                return deleted;
+            MB_TRY_VOID(m_database.run("DELETE FROM owed WHERE unit = ? AND key = ?", {qt(unit), qt(key)}));
         }
         return {};
     });
@@ -218,19 +214,16 @@ void TrialBook::abandon(std::int64_t number)
 Result<void> TrialBook::keepSignals(std::int64_t number, const std::vector<tuning::Signal> &signals)
 {
     for (const tuning::Signal &signal : signals) {
-        auto added = m_database.run("INSERT INTO signal (trial, channel, unit, samples, data) VALUES (?, ?, ?, ?, ?)",
+        MB_TRY_VOID(m_database.run("INSERT INTO signal (trial, channel, unit, samples, data) VALUES (?, ?, ?, ?, ?)",
             {static_cast<qint64>(number), qt(signal.channel), qt(signal.unit), static_cast<qint64>(signal.trace.size()),
-                packed(signal.trace)});
-        if (!added)
-            return added;
+                packed(signal.trace)}));
     }
     return {};
 }
 
 Result<void> TrialBook::changeOne(std::int64_t number, const char *statement, const QVariantList &values)
 {
-    if (auto done = m_database.run(statement, values); !done)
-        return done;
+    MB_TRY_VOID(m_database.run(statement, values));
     if (m_database.changed() == 1)
         return {};
     return fail(

@@ -162,8 +162,7 @@ Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits)
 {
     return sql.transact([&]() -> Result<void> {
         for (const KeptVisit &kept : visits) {
-            if (auto put = putVisit(sql, kept); !put)
-                return put;
+            MB_TRY_VOID(putVisit(sql, kept));
         }
         return {};
     });
@@ -227,11 +226,9 @@ Result<void> markDelivered(SqlConnection &sql, const std::string &server, const 
 {
     return sql.transact([&]() -> Result<void> {
         for (const KeptVisit &kept : visits) {
-            auto marked = sql.run("INSERT INTO service_delivery (visit, server, revision) VALUES (?, ?, ?) "
-                                  "ON CONFLICT (visit, server) DO UPDATE SET revision = excluded.revision",
-                {qt(kept.visit.id), qt(server), static_cast<qlonglong>(kept.revision)});
-            if (!marked)
-                return marked;
+            MB_TRY_VOID(sql.run("INSERT INTO service_delivery (visit, server, revision) VALUES (?, ?, ?) "
+                                "ON CONFLICT (visit, server) DO UPDATE SET revision = excluded.revision",
+                {qt(kept.visit.id), qt(server), static_cast<qlonglong>(kept.revision)}));
         }
         return {};
     });

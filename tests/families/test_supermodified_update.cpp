@@ -170,6 +170,7 @@ TEST(SupermodifiedUpdate, ANodeThatWasMuteBeforeIsDoneAndKnownAgainByItsAnswer)
     SupermodifiedUpdateBench bench;
     Identity mute = bench.device->identity();
     mute.dialect.clear();
+    mute.descriptors = {{"baud", "38400"}}; // as it was left when nobody answered at any rate
     mute.state = DeviceState::Bootloader;
     bench.device->setIdentity(mute);
     bench.cut();

@@ -17,6 +17,26 @@ using service::Outcome;
 using service::Step;
 using service::Visit;
 
+/// Statements on their way to a server that is far away.
+class CountedStatements final : public SqlConnection {
+public:
+    explicit CountedStatements(SqlConnection &sql)
+        : m_sql(sql)
+    {
+    }
+    Result<void> run(const char *statement, const QVariantList &values, const Row &row) override
+    {
+        ++count;
+        return m_sql.run(statement, values, row);
+    }
+    [[nodiscard]] int changed() const override { return m_sql.changed(); }
+    Result<void> transact(const std::function<Result<void>()> &work) override { return m_sql.transact(work); }
+    int count = 0;
+
+private:
+    SqlConnection &m_sql;
+};
+
 class JournalFiles : public testing::Test {
 protected:
     Visit opened(ServiceBook &book, const std::string &unit)
@@ -118,6 +138,20 @@ TEST_F(JournalFiles, ANoteThatIsMadeWhileAnotherProgramWritesTheEntryKeepsItAndI
     EXPECT_EQ(kept->visit.seconds, times - 1);
     EXPECT_EQ(kept->visit.note, "note 99");
     EXPECT_FALSE(books.journal->setNote("nobody", "note"));
+}
+
+TEST_F(JournalFiles, AVisitIsPutInTwoStatementsHoweverManyItsSteps)
+{
+    Visit visit;
+    visit.id = "A";
+    for (int i = 0; i < 40; ++i)
+        visit.steps.push_back({Step::Parameters, 101.0 + i, i % 2 == 1, say("%1 of %2 written", i, 40)});
+    CountedStatements counted(*books.database);
+    ASSERT_TRUE(putVisits(counted, {{visit, 1}}));
+    EXPECT_EQ(counted.count, 2);
+    EXPECT_EQ(getVisit(*books.database, "A")->visit, visit);
+    visit.steps.clear();
+    EXPECT_TRUE(putVisits(*books.database, {{visit, 2}}));
 }
 
 TEST_F(JournalFiles, AUnitKeepsItsNumberOnlyWhileItIsFreeAndWithinWhatIsWished)

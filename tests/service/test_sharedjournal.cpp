@@ -116,39 +116,6 @@ TEST_P(JournalTables, KeepEverythingOfAVisitAndAnOlderWriteChangesNothing)
     EXPECT_EQ(getVisits(*sql, filter)->size(), 2U);
 }
 
-/// Statements on their way to a server that is far away.
-class CountedStatements final : public SqlConnection {
-public:
-    explicit CountedStatements(SqlConnection &sql)
-        : m_sql(sql)
-    {
-    }
-    Result<void> run(const char *statement, const QVariantList &values, const Row &row) override
-    {
-        ++count;
-        return m_sql.run(statement, values, row);
-    }
-    [[nodiscard]] int changed() const override { return m_sql.changed(); }
-    Result<void> transact(const std::function<Result<void>()> &work) override { return m_sql.transact(work); }
-    int count = 0;
-
-private:
-    SqlConnection &m_sql;
-};
-
-TEST_P(JournalTables, TakeAVisitInTwoStatementsHoweverManyItsSteps)
-{
-    Visit visit = visitOf("A", 100.0);
-    for (int i = 0; i < 40; ++i)
-        visit.steps.push_back({Step::Parameters, 101.0 + i, i % 2 == 1, say("%1 of %2 written", i, 40)});
-    CountedStatements counted(*sql);
-    ASSERT_TRUE(putVisits(counted, {{visit, 1}}));
-    EXPECT_EQ(counted.count, 2);
-    EXPECT_EQ(getVisit(*sql, "A")->visit, visit);
-    visit.steps.clear();
-    EXPECT_TRUE(putVisits(*sql, {{visit, 2}}));
-}
-
 TEST(Stations, WaitForEachServerByItselfAndHaveNothingOfSimulatedUnitsForIt)
 {
     const VirtualClock clock;

@@ -143,6 +143,7 @@ private Q_SLOTS:
     void whatBelongsToOneUnitIsCopiedOnlyIfItIsTickedItself();
     void theTimelineTellsWhoWroteWhatFromWhere();
     void theTimelineHasNoDayOfWhatWasOnlyStored();
+    void theTimelineOfAPlaceSaysThatItIsNoUnits();
     void anyTwoStatesAreCompared();
     void undoTakesBackAnEditAndElseTheLastWrite();
     void aSnapshotIsTakenWhicheverPageIsShown();
@@ -421,6 +422,21 @@ void TestHistory::theTimelineHasNoDayOfWhatWasOnlyStored()
     const auto dayOf = [](double time) { return dayText(momentOf(time).date()); };
     QVERIFY2(texts.contains(dayOf(written.time)), qPrintable(texts.join(QLatin1Char('|'))));
     QVERIFY2(!texts.contains(dayOf(stored.time)), qPrintable(texts.join(QLatin1Char('|'))));
+}
+
+void TestHistory::theTimelineOfAPlaceSaysThatItIsNoUnits()
+{
+    const ThemeSource theme{lightTheme()};
+    TimelineList list(theme, nullptr);
+    UnitState defaults;
+    defaults.kind = UnitState::Kind::Defaults;
+    SettingsTimeline kept;
+    kept.snapshots.resize(1);
+    for (const bool isPlace : {true, false}) {
+        kept.snapshots[0].unit = isPlace ? "place can0 abstractdc:3" : "tag abstractdc left arm";
+        list.show(dmc60c(), {defaults}, kept);
+        QCOMPARE(list.item(0)->text() == QStringLiteral("This place, not this unit"), isPlace);
+    }
 }
 
 void TestHistory::anyTwoStatesAreCompared()

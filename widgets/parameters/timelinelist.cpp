@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/timelinelist.h"
 
+#include "model/unit.h"
 #include "settings/history.h"
 #include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
@@ -147,6 +148,8 @@ void TimelineList::show(const Family &family, const std::vector<UnitState> &stat
     clear();
     m_states = states;
     m_day = {};
+    if (!timeline.snapshots.empty() && unitByOf(timeline.snapshots.back().unit) == UnitBy::Place)
+        addHead(tr("This place, not this unit"));
     std::size_t left = timeline.changes.size();
     for (int place = 0; place < static_cast<int>(states.size()); ++place) {
         const UnitState &state = states[static_cast<std::size_t>(place)];
