@@ -9678,6 +9678,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Always there</source>
         <translation>Immer da</translation>
     </message>
+    <message>
+        <source>This place, not this unit</source>
+        <translation>Dieser Platz, nicht dieses Gerät</translation>
+    </message>
 </context>
 <context>
     <name>mb::TourStage</name>

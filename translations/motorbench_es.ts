@@ -9678,6 +9678,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Always there</source>
         <translation>Siempre disponible</translation>
     </message>
+    <message>
+        <source>This place, not this unit</source>
+        <translation>Este sitio, no este equipo</translation>
+    </message>
 </context>
 <context>
     <name>mb::TourStage</name>

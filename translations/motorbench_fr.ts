@@ -9678,6 +9678,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Always there</source>
         <translation>Toujours disponible</translation>
     </message>
+    <message>
+        <source>This place, not this unit</source>
+        <translation>Cet emplacement, pas cet appareil</translation>
+    </message>
 </context>
 <context>
     <name>mb::TourStage</name>

@@ -9664,6 +9664,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Always there</source>
         <translation>常時利用可能</translation>
     </message>
+    <message>
+        <source>This place, not this unit</source>
+        <translation>この機器ではなく、この場所</translation>
+    </message>
 </context>
 <context>
     <name>mb::TourStage</name>

@@ -9664,6 +9664,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Always there</source>
         <translation>始终可用</translation>
     </message>
+    <message>
+        <source>This place, not this unit</source>
+        <translation>此位置，而非此设备</translation>
+    </message>
 </context>
 <context>
     <name>mb::TourStage</name>
