@@ -297,9 +297,6 @@ void SetPointStream::finish(End end, Message reason)
     m_timer.stop();
     m_glides.clear();
     m_lease.release();
-    m_linkState.reset();
-    m_deviceChanged.reset();
-    m_guardChanged.reset();
     m_device.stop();
     m_device.guard().dismiss();
     m_changed.notify();

@@ -76,8 +76,8 @@ protected:
     {
     }
     [[nodiscard]] Clock &clock() const { return m_clock; }
-    /// For backends: the transfer that doTransfer() began has ended. Not from inside doTransfer().
-    void finishTransfer(Result<Bytes> miso);
+    /// For backends: the transfer that doTransfer() began has ended. Not from inside doTransfer(). One that cannot end loses the link.
+    void finishTransfer(Bytes miso);
     void setReady(std::optional<bool> level);
     /// Ends every transfer with LinkLost.
     void dropTransfers();

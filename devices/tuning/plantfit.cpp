@@ -10,8 +10,7 @@ namespace mb::tuning {
 
 double GainFit::asymmetry() const
 {
-    const double mean = 0.5 * (forward + reverse);
-    return mean > 0.0 && forward > 0.0 && reverse > 0.0 ? std::abs(forward - reverse) / mean : 0.0;
+    return forward > 0.0 && reverse > 0.0 ? std::abs(forward - reverse) / (0.5 * (forward + reverse)) : 0.0;
 }
 
 Result<GainFit> fitGain(std::span<const double> duties, std::span<const double> speeds)

@@ -37,7 +37,8 @@ public:
         double sum = 0.0;
         for (const double volts : under.y)
             sum += volts / static_cast<double>(under.size());
-        m_supply = motor.supply > 0.0 && !under.isEmpty() ? sum / motor.supply : 1.0;
+        if (motor.supply > 0.0 && !under.isEmpty())
+            m_supply = sum / motor.supply;
     }
     /// What it tells itself came with the position; what was ordered acts later, on the beat in the mean.
     [[nodiscard]] double at(double t) const

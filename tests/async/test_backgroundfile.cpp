@@ -91,6 +91,18 @@ TEST(BackgroundFile, SaysThatItWasDeletedAndThatNothingOfItIsThere)
     EXPECT_EQ((*file)->status().taken, 2U);
 }
 
+TEST(BackgroundFile, WhatNeverHadAFileIsNotTakenForDeleted)
+{
+    const auto file = BackgroundFile::create("/dev/null");
+    ASSERT_TRUE(file);
+    ASSERT_TRUE((*file)->append("one\n"));
+    (*file)->finish();
+    while (!(*file)->status().finished)
+        std::this_thread::yield();
+    EXPECT_EQ((*file)->status().written, 1U);
+    EXPECT_EQ((*file)->status().problem, "");
+}
+
 TEST(BackgroundFile, EndsWithAWholeRecordWhenTheDiskIsFullInTheMiddleOfOne)
 {
     const test::TemporaryFolder folder;

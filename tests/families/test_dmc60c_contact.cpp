@@ -4,6 +4,8 @@
 #include "dmc60ccontrollerfixture.h"
 #include "families/dmc60c/pagewriter.h"
 #include "families/dmc60c/updatecontact.h"
+#include "support/hextext.h"
+#include "support/simulatedsession.h"
 
 #include <string>
 #include <utility>
@@ -265,6 +267,29 @@ TEST_F(Dmc60cPageOrders, OnlyPage0IsTakenForWrittenBecauseTheVersionIsThere)
     sent.clear();
     EXPECT_EQ(write({pageIsIn, pageIsIn, noPageAnswer}), Result<PageWriter::End>(PageWriter::End::Written));
     EXPECT_EQ(sent, (std::vector<int>{30, 1, 0}));
+}
+
+TEST(Dmc60cEntry, AUnitThatWaitedInItsBootloaderByItselfIsNotResetWhenItsAnswerIsLost)
+{
+    mb::test::SimulatedSession bench("sim:can", "dmc60c:9,session=0x1234,state=bootloader");
+    ASSERT_EQ(bench.scan().size(), 4U);
+    int entries = 0;
+    int resets = 0;
+    const Subscription watching = bench.link->traffic().add([&](const Traffic &traffic) {
+        const std::string frame = toText(*traffic.can);
+        entries += frame.starts_with("0206FC09#3412F0") ? 1 : 0;
+        resets += frame.starts_with("0206FC09#3412F1") ? 1 : 0;
+        if (entries > 0)
+            bench.simulator("dmc60c:9")->setPowered(false);
+    });
+    Device &device = *bench.device(9);
+    const auto image = FirmwareImage::fromIntelHex(mb::test::smallApplication(0x0119).text());
+    NoProgress progress;
+    const auto report = mb::test::run(bench.clock, device.family().update(device, *image, {}, progress), 10min);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
+    EXPECT_GT(entries, 0);
+    EXPECT_EQ(resets, 0) << "it has no application that could be given back";
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances count from the set-point of the loop, so they add up (supermodified/README.md#overflow).
+#include "families/supermodified/movebounds.h"
 #include "families/supermodifiedbench.h"
+
+#include <optional>
 
 namespace mb::supermodified {
 namespace {
@@ -217,6 +220,25 @@ TEST_F(SupermodifiedDistances, APWhoseWriteIsCancelledIsNotKnown)
     EXPECT_EQ(device->check(setPoint(Mode::Position, 10.0)).error().fault, Fault::Unsafe);
     ASSERT_TRUE(run(bench.clock, device->read(Bench::index("gain.p"))));
     EXPECT_EQ(device->check(setPoint(Mode::Position, 40000.0)).error().fault, Fault::OutOfRange);
+}
+
+TEST(SupermodifiedGain, IsNotWrittenWhereTheErrorThatStandsOverflowsTheLoop)
+{
+    const auto isTaken = [](Dialect dialect, std::int64_t p, std::optional<MotionCount::Step> error) {
+        Node node;
+        node.dialect = dialect;
+        return MoveBounds(node, {}).checkGain(p, error).has_value();
+    };
+    std::optional<MotionCount::Step> nothing = MotionCount::Step{0, 1073741};
+    nothing.reset();
+    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
+        EXPECT_TRUE(isTaken(dialect, 2000, MotionCount::Step{0, 1073740}));
+        EXPECT_FALSE(isTaken(dialect, 2000, MotionCount::Step{0, 1073741}));
+        EXPECT_FALSE(isTaken(dialect, 2000, MotionCount::Step{-1073741, 5})) << "the farther end";
+        EXPECT_TRUE(isTaken(dialect, 0, MotionCount::Step{0, 1073741})) << "nothing times nothing";
+        EXPECT_TRUE(isTaken(dialect, 2000, nothing)) << "at a velocity its loop has no place to be far from";
+    }
+    EXPECT_TRUE(isTaken(Dialect::D3, 2000, MotionCount::Step{0, 1073741}));
 }
 
 } // namespace

@@ -150,6 +150,25 @@ TEST_F(SupermodifiedRefusals, AMotorThatStalledIsNotDrivenAnyMore)
     EXPECT_FALSE(device->liveness().mode) << "nothing is in force";
 }
 
+TEST_F(SupermodifiedRefusals, WhatSwitchedAMotorOffIsOverOnceItIsStartedAgain)
+{
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    node.disturb("error", code::motorStalled);
+    bench.clock.advance(100ms);
+    device->stop();
+    bench.clock.advance(100ms);
+    EXPECT_EQ(device->liveness().faults, std::vector<std::string>{"motor_stalled"}) << "it stands until then";
+    order(setPoint(Mode::Velocity, 100.0), 300ms);
+    EXPECT_TRUE(node.isOutputOn());
+    EXPECT_TRUE(device->liveness().faults.empty());
+    const auto faults = mb::test::run(bench.clock, device->readFaults());
+    ASSERT_TRUE(faults);
+    const auto stalled = std::ranges::find(*faults, "motor_stalled", &FaultRecord::key);
+    ASSERT_NE(stalled, faults->end());
+    EXPECT_FALSE(stalled->active);
+    EXPECT_TRUE(stalled->sticky) << "that it happened is kept";
+}
+
 TEST_F(SupermodifiedRefusals, AStopPassesWhatSomebodyElseHasQueuedOnThePort)
 {
     ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.0)) || device->command(setPoint(Mode::Velocity, 500.0)));

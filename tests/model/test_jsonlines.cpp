@@ -32,6 +32,28 @@ TEST(JsonLines, RefusesARepeatedKeyWithTheLineOfTheSecond)
     EXPECT_TRUE(linesOf("{\"a\":1}").checkKeys());
 }
 
+TEST(JsonLines, SpaceMayStandOnEitherSideOfAColon)
+{
+    EXPECT_EQ(repeatedIn("{\"a\" :\t1 , \"b\"\n:\r\n2 ,\"b\" : 3}"), "b");
+    EXPECT_EQ(linesOf("{\"a\"\n:1,\n\"b\" :2}").of("b"), 3);
+}
+
+TEST(JsonLines, ReadsAsDeepAsQtDoes)
+{
+    const QByteArray twice = R"({"a":1,"a":2})"; // two deep
+    EXPECT_NE(repeatedIn(QByteArray(1022, '[') + twice), "");
+    EXPECT_EQ(repeatedIn(QByteArray(1023, '[') + twice), "");
+}
+
+TEST(JsonLines, AnOffsetIsInTheLineAfterTheEndsOfThoseBeforeIt)
+{
+    EXPECT_EQ(lineAt("", 0), 1);
+    EXPECT_EQ(lineAt("\n{", 0), 1);
+    EXPECT_EQ(lineAt("\n{", 1), 2);
+    EXPECT_EQ(lineAt("{\n\n}", 99), 3);
+    EXPECT_EQ(lineAt("{\n\n}", -1), 1);
+}
+
 TEST(JsonLines, EndsWhereATextStopsToBeJson)
 {
     for (const char *text :

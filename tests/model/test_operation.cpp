@@ -2,10 +2,12 @@
 #include "async/sleep.h"
 #include "async/virtualclock.h"
 #include "model/operation.h"
+#include "model/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -177,6 +179,17 @@ TEST(Operation, EndsItsTaskWithItself)
     EXPECT_EQ(job.clock.armed(), 0U);
     job.clock.advance(10s);
     EXPECT_FALSE(job.result);
+}
+
+TEST(Snapshot, TellsTheNewestOperationOfADevice)
+{
+    Snapshot shot;
+    for (const auto &[id, device] : {std::pair(1U, 7U), {2U, 8U}, {3U, 7U}, {4U, 8U}, {5U, 9U}})
+        shot.operations.push_back({{id}, {device}, {}, {}});
+    ASSERT_TRUE(shot.operation({7}));
+    EXPECT_EQ(shot.operation({7})->id, OperationId{3});
+    EXPECT_EQ(shot.operation({8})->id, OperationId{4});
+    EXPECT_EQ(shot.operation({10}), nullptr);
 }
 
 } // namespace

@@ -256,6 +256,14 @@ TEST(ReplaySession, KnowsADeviceBetterWhenTheRecordingHasItsAnswers)
         EXPECT_EQ(device->identity().firmware, known.firmware);
         EXPECT_EQ(device->identity().bootloader, known.bootloader);
     }
+    Device &device = *playback.devices.front();
+    const DeviceId id = playback.session.idOf(device);
+    for (const char *const serial : {"A7", "A8"}) {
+        Identity identity = device.identity();
+        identity.serial = serial;
+        device.setIdentity(identity);
+        EXPECT_EQ(playback.session.idOf(device), id) << "who sends in a recording is not asked";
+    }
     auto again = test::run(playback.clock, playback.session.scan(*playback.link));
     ASSERT_TRUE(again);
     EXPECT_EQ(*again, playback.devices) << "a second scan costs nothing and finds the same";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 
 namespace mb {
@@ -190,6 +191,45 @@ TEST_F(Driven, StopsEverythingWithoutWaiting)
     EXPECT_FALSE(bench.session.stream(*bench.device(5)).isRunning());
     bench.clock.advance(3ms);
     EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());
+}
+
+TEST(Session, DrivesNoDeviceThatItFindsWhileStopIsPressed)
+{
+    SimulatedSession bench;
+    std::atomic<bool> pressed = true;
+    bench.session.setStopGate(&pressed);
+    bench.scan();
+    bench.clock.advance(500ms);
+    SetPoint setPoint;
+    setPoint.mode = Mode::Duty;
+    setPoint.target = 0.3;
+    for (Device *device : bench.session.devices()) {
+        EXPECT_TRUE(device->gate().isStopPressed()) << device->selector();
+        EXPECT_FALSE(bench.session.stream(*device).start(setPoint, 60s)) << device->selector();
+    }
+    pressed = false;
+    EXPECT_TRUE(bench.session.stream(*bench.device(5)).start(setPoint, 60s));
+}
+
+TEST(Session, ASerialNumberThatIsLearnedLaterMakesNoOtherUnitOfADevice)
+{
+    SimulatedSession bench;
+    bench.scan();
+    Device &device = *bench.device(3, "abstractdc");
+    const DeviceId id = bench.session.idOf(device);
+    EXPECT_TRUE(bench.session.isRecognised(device)) << "nothing tells such units apart";
+    bench.clock.advance(500ms);
+    const std::size_t samples = device.telemetry()->size(*device.telemetry()->find("position"));
+    ASSERT_GT(samples, 0U);
+    Identity identity = device.identity();
+    identity.serial = "A7";
+    device.setIdentity(identity);
+    EXPECT_EQ(bench.session.idOf(device), id);
+    EXPECT_EQ(device.telemetry()->size(*device.telemetry()->find("position")), samples);
+    identity.serial = "A8";
+    device.setIdentity(identity);
+    EXPECT_NE(bench.session.idOf(device), id) << "that is another one";
+    EXPECT_EQ(device.telemetry()->size(*device.telemetry()->find("position")), 0U);
 }
 
 TEST_F(Driven, HasOneStreamForADevice)

@@ -287,10 +287,10 @@ TEST(Table, WhatWatchPrintsCanBeRead)
 TEST(Table, SaysInWhichLineWhatIsWrong)
 {
     const Folder folder;
-    const std::pair<const char *, const char *> rows[]
-        = {{"time_s,a\n0,1\n1,x\n", "line 3"}, {"time_s,a\n0,1,2\n", "line 2"}, {"time_s,a\nx,1\n", "line 2"},
-            {"", "x.csv: the file is empty"}, {"1,2\n3,4\n", "no table"}, {"time_s,a\n", "no samples"},
-            {"t,channel,value,unit\n1,a,2\n", "line 2"}, {"time_s,a\n1e300,1\n", "line 2"}};
+    const std::pair<const char *, const char *> rows[] = {{"time_s,a\n0,1\n1,x\n", "line 3"},
+        {"time_s,a\n0,1,2\n", "line 2"}, {"time_s,a\nx,1\n", "line 2"}, {"", "x.csv: the file is empty"},
+        {"1,2\n3,4\n", "no table"}, {"time_s,a\n", "no samples"}, {"t,channel,value,unit\n1,a,2\n", "line 2"},
+        {"time_s,a\n1e300,1\n", "line 2"}, {"time_s\n0\n", "no table"}};
     for (const auto &[text, says] : rows) {
         std::ofstream(folder.file("x.csv")) << text;
         const auto loaded = loadRecording(folder.file("x.csv"));
@@ -298,6 +298,26 @@ TEST(Table, SaysInWhichLineWhatIsWrong)
         EXPECT_NE(loaded.error().text().find(says), std::string::npos) << loaded.error().text();
     }
     EXPECT_FALSE(loadRecording(folder.path.string()));
+}
+
+TEST(Table, HasUpTo1000Columns)
+{
+    const Folder folder;
+    const auto load = [&folder](int signals) {
+        std::ofstream file(folder.file("x.csv"));
+        for (const char *const each : {",a", ",1"}) {
+            file << (each[1] == 'a' ? "time_s" : "0");
+            for (int i = 0; i < signals; ++i)
+                file << each;
+            file << '\n';
+        }
+        file.close();
+        return loadRecording(folder.file("x.csv"));
+    };
+    EXPECT_TRUE(load(999));
+    const auto wide = load(1000);
+    ASSERT_FALSE(wide);
+    EXPECT_NE(wide.error().text().find("no table"), std::string::npos) << wide.error().text();
 }
 
 TEST(Table, ALineThatIsTooLongIsRefusedNotTakenForTheEnd)

@@ -67,6 +67,32 @@ TEST(RecordedStretches, WhatCameAfterTheComputerSleptIsLaterByThatBehindAGapAndW
     EXPECT_EQ(gaps[0].to - Instant(unixOffset), 3600s + 90ms);
 }
 
+TEST(RecordedStretches, AGapIsKeptWhereverItFallsButBeforeTheFirstSample)
+{
+    const auto recording = telemetry();
+    const auto gap = [&recording] {
+        recording->breakLine(velocity);
+        recording->commit();
+    };
+    for (int i = 0; i < 3 * 4096; ++i) {
+        if (i % 1024 == 0)
+            gap(); // before the first of a block that is read at once, too
+        put(*recording, velocity, i, i);
+    }
+    for (const Instant from : {Instant::min(), ms(0), ms(1024)}) {
+        SampleCursor cursor(recording, velocity, from);
+        int gaps = 0;
+        int samples = 0;
+        while (const Point *const point = cursor.peek()) {
+            ++(point->isGap() ? gaps : samples);
+            cursor.pop();
+        }
+        const int left = from == ms(1024) ? 1024 : 0;
+        EXPECT_EQ(samples, 3 * 4096 - left);
+        EXPECT_EQ(gaps, (3 * 4096 - left) / 1024 - 1);
+    }
+}
+
 TEST(RecordedStretches, AnExportAfterTheComputerSleptHasTheTimesOfBeforeAndAfter)
 {
     const Folder folder;

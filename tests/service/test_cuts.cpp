@@ -2,6 +2,8 @@
 // What becomes of a queue of simulated DMC60C that is cut: its program, its wire, its units. In virtual time.
 #include "queuebench.h"
 
+#include <algorithm>
+
 namespace mb::service {
 namespace {
 
@@ -107,15 +109,16 @@ protected:
 /// A unit that was cut off, and is silent or back when the queue goes on.
 class CutUnits : public ServiceQueues {
 protected:
-    /// Served until its firmware is being written; the name of the run.
-    std::string cut(UnitRack &rack, const RecipeMatter &matter)
+    /// Served until its firmware is being written, or until a later step has begun; the name of the run.
+    std::string cut(UnitRack &rack, const RecipeMatter &matter, Step during = Step::Firmware)
     {
         QueueRun run(rack, *books, matter, options({}));
         run.queue.start();
         EXPECT_TRUE(rack.clock.runUntil(
             [&] {
                 const auto rows = run.queue.rows();
-                return !rows.empty() && rows[0]->visit.step == Step::Firmware && rows[0]->done > 5;
+                return !rows.empty() && rows[0]->visit.step == during
+                    && (during != Step::Firmware || rows[0]->done > 5);
             },
             1min));
         return run.queue.run();
@@ -169,6 +172,29 @@ TEST_F(CutUnits, WhichComeBackSomeSecondsLaterGoOnInTheirOwnRow)
     ASSERT_EQ(visits.size(), 1U) << "no visit twice";
     EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
     EXPECT_EQ(again.queue.rows().size(), 1U);
+}
+
+TEST_F(CutUnits, AreNotUpdatedOnceMoreWhereTheyTellTheVersionOfTheImage)
+{
+    for (const bool isOld : {false, true}) {
+        UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23", "dmc60c:5,serial=210334000001,firmware=1.23"});
+        rack.putOn(0);
+        const RecipeMatter matter = load(rack, shortText);
+        const std::string name = cut(rack, matter, Step::Test);
+        if (isOld)
+            rack.putOn(1); // as if somebody had put the old firmware back
+        rack.clock.advance(2s);
+        QueueRun again(rack, *books, matter, options(name));
+        EXPECT_TRUE(again.run(10min));
+        const auto visits = books->visits();
+        ASSERT_EQ(visits.size(), 1U);
+        EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+        EXPECT_EQ(visits[0].to, "1.25");
+        EXPECT_EQ(rack.session->devices().front()->identity().firmware, "1.25");
+        EXPECT_EQ(std::ranges::count_if(visits[0].steps,
+                      [](const StepEntry &entry) { return entry.step == Step::Firmware && entry.ended; }),
+            isOld ? 2 : 1);
+    }
 }
 
 TEST_F(Cuts, AtEveryWriteOfTheJournalTheQueueGoesOnAndNothingIsDoneTwice)

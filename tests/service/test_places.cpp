@@ -149,6 +149,21 @@ TEST_F(UnitsByPlace, WhoeverStandsWhereOneWasGoneForFiveSecondsIsTheNext)
     EXPECT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().ended() == 2; }, 10s));
 }
 
+TEST_F(UnitsByPlace, WhoeverStandsWhereOneWasTakenOffWhileItWasServedIsTheNext)
+{
+    UnitRack rack({"supermodified:4", "supermodified:4"}, "sim:serial");
+    rack.putOn(0);
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified"})"), units(2));
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil(
+        [&] { return !run.queue.rows().empty() && run.queue.rows()[0]->state == RowState::Running; }, 1min));
+    rack.putOn(std::nullopt);
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    rack.clock.advance(3s);
+    rack.putOn(1);
+    EXPECT_TRUE(rack.clock.runUntil([&] { return run.queue.counts().ended() == 2; }, 10s));
+}
+
 TEST_F(UnitsByPlace, AUnitThatWasSilentForAMomentIsNotServedAgain)
 {
     UnitRack rack({"supermodified:4"}, "sim:serial");
@@ -208,6 +223,21 @@ TEST_F(UnitsByPlace, AUnitWhoseLinkWasLostIsNotServedAgain)
     run.queue.start();
     rack.clock.advance(30s);
     EXPECT_EQ(books->visits().size(), 1U);
+}
+
+TEST_F(UnitsByPlace, WhoWaitsAndIsTakenOffIsNoRowAnyMoreAndWhoHasEndedStaysOne)
+{
+    UnitRack rack({"supermodified:4", "supermodified:5"}, "sim:serial");
+    QueueRun run(rack, *books, load(rack, nodeRecipe), units(3));
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows().size() == 2; }, 1min));
+    run.queue.pause();
+    ASSERT_TRUE(waitFor(rack, run, 1));
+    ASSERT_EQ(run.queue.rows()[1]->state, RowState::Waiting);
+    rack.putOn(std::nullopt);
+    rack.clock.advance(1min);
+    ASSERT_EQ(run.queue.rows().size(), 1U);
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Passed) << run.queue.rows()[0]->visit.cause.english();
 }
 
 TEST_F(UnitsByPlace, ALookAtAnEmptyLineDoesNotKeepTheQueueFromEnding)

@@ -91,7 +91,7 @@ TEST(Recipes, AreWrittenAsTheyWereRead)
     EXPECT_EQ(again->test->accept.size(), 4U);
 }
 
-TEST(Recipes, AreOthersOnceAFileThatTheyNameHasChanged)
+TEST(Recipes, AreOthersOnceTheyOrAFileThatTheyNameHaveChanged)
 {
     const QTemporaryDir folder;
     const auto write = [&folder](const char *name, const QByteArray &text) {
@@ -112,6 +112,9 @@ TEST(Recipes, AreOthersOnceAFileThatTheyNameHasChanged)
     EXPECT_NE(hash(), before);
     write("p.json", settings);
     EXPECT_EQ(hash(), before);
+    write(
+        "r.json", R"({"recipe":1,"name":"r","family":"dmc60c","number":{"first":10},"parameters":{"file":"p.json"}})");
+    EXPECT_NE(hash(), before) << "what it says itself counts as well";
 }
 
 TEST(Recipes, NeedNothingButNameAndFamily)

@@ -134,6 +134,20 @@ TEST(Stations, WaitForEachServerByItselfAndHaveNothingOfSimulatedUnitsForIt)
     EXPECT_EQ(undelivered(sql, "new", 10)->front().visit.id, "A");
 }
 
+TEST(Stations, DeliverOneBatchAfterTheOther)
+{
+    VirtualClock clock;
+    const test::ServiceBooks books(clock);
+    ServiceBook book(*books.database, clock, "bench 1", "anna");
+    test::HeldBackground server; // does not answer
+    SharedJournal journal(book, *JournalServer::parse("postgresql://anna@nowhere/journal"), clock, &server);
+    for (const char *const id : {"A", "B", "C"}) {
+        ASSERT_TRUE(test::run(clock, journal.open(visitOf(id, 100.0))));
+        clock.advance(1s);
+        EXPECT_EQ(server.waiting(), 1U) << id;
+    }
+}
+
 TEST_P(JournalTables, ABlockIsTakenOnceAndTheSameQuestionHasTheSameAnswer)
 {
     const NumberWish wish{"dmc60c rev C", "u", "v", 10, 21, {}};

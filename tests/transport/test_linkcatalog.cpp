@@ -50,6 +50,19 @@ TEST(LinkCatalog, RefusesOptionsAndPathsThatAKindDoesNotHave)
     }
 }
 
+TEST(LinkCatalog, ASpiBusHasTenKilohertzToTenMegahertz)
+{
+    VirtualClock clock;
+    const auto isTaken = [&clock](const char *speed) {
+        return createLink(LinkAddress::parse(std::string("spidev:/dev/spidev0.0?speed=") + speed).value(), clock)
+            .has_value();
+    };
+    for (const char *const good : {"10000", "500000", "10000000"})
+        EXPECT_TRUE(isTaken(good)) << good;
+    for (const char *const bad : {"9999", "10000001", "0", "-1", "fast"})
+        EXPECT_FALSE(isTaken(bad)) << bad;
+}
+
 TEST(LinkCatalog, AnInterfaceThatIsNotThereFailsToOpenWithItsCause)
 {
     VirtualClock clock;

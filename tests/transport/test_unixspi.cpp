@@ -145,6 +145,15 @@ TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)
     EXPECT_FALSE(aside(Bytes{2, 0, 0xAA, 0xBB}));
 }
 
+TEST_F(UnixSpi, TheClientOfABoardThatIsClosedHasLostItAtOnce)
+{
+    Task<Bytes> first = transferOn(link, {0x01});
+    first.start();
+    ASSERT_TRUE(loop.runUntil([&] { return first.isFinished(); }));
+    server.close();
+    EXPECT_TRUE(loop.runUntil([&] { return link.state() == LinkState::Lost; }));
+}
+
 TEST_F(UnixSpi, ASecondClientIsToldAtOnceThatTheBoardIsBusyAndTheFirstKeepsIt)
 {
     Task<Bytes> first = transferOn(link, {0x01});

@@ -134,8 +134,9 @@ TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
     ASSERT_EQ(told.size(), 1U);
     EXPECT_LE(fastest(trial->signal("position")->trace), told.front().speed.value_or(0.0));
     EXPECT_LE(farthest(trial->signal("position")->trace), told.front().travel);
-    EXPECT_TRUE(std::any_of(bench.notes.begin(), bench.notes.end(),
-        [](const std::string &note) { return note.starts_with("first its direction is checked"); }));
+    EXPECT_TRUE(std::any_of(bench.notes.begin(), bench.notes.end(), [](const std::string &note) {
+        return note.starts_with("first its direction is checked: pushes of 0.3 s, until it turns");
+    }));
 }
 
 TEST(Announcement, ALimitOfCurrentThatNobodyCanHoldIsSaidOnceAndTheDutyLimitStandsIn)

@@ -164,6 +164,13 @@ TEST(Evidence, WhatItsGainsMakeIsToldInDuty)
         evidence.feedForwardTimesGain().value_or(0.0), 0.5 * scale.velocityTime / scale.fullDuty * 900.0 / 0.25, 1e-12);
     EXPECT_FALSE(evidence.leapOfOneCount()) << "of a velocity a count is no step";
     EXPECT_NEAR(evidence.rampTime().value_or(0.0), scale.period * scale.fullDuty / 2.0, 1e-12);
+    Trial still = toldTrial(
+        Mode::Velocity, 1000.0, nothing, [](double) { return 900.0; }, [](double) { return 0.004; });
+    still.gains = trial.gains;
+    EXPECT_FALSE(Evidence(testedFamily(), still).feedForwardTimesGain()) << "that duty is none";
+    Trial untold = trial;
+    keep(untold, "velocity", -1.0, 0.0);
+    EXPECT_FALSE(Evidence(testedFamily(), untold).feedForwardTimesGain()) << "nobody told how fast it went";
     trial.mode = Mode::Position;
     EXPECT_NEAR(Evidence(testedFamily(), trial).leapOfOneCount().value_or(0.0), 3.0 / scale.fullDuty, 1e-12);
     EXPECT_NEAR(Evidence(testedFamily(), trial).demandOfStep().value_or(0.0), 1.5 * 800.0 / scale.fullDuty, 1e-12);

@@ -208,6 +208,18 @@ TEST(GainFit, TellsHowWellItKnowsALoad)
     EXPECT_LT(mean, 0.01);
 }
 
+TEST(GainFit, OfAWayThatWasNotPushedTellsNothing)
+{
+    for (const double sign : {1.0, -1.0}) {
+        const auto fit = fitGain(std::vector{0.2 * sign, 0.4 * sign}, std::vector{7'500.0 * sign, 17'500.0 * sign});
+        ASSERT_TRUE(fit) << fit.error().text();
+        EXPECT_NEAR(fit->friction, 0.05, 1e-9);
+        EXPECT_NEAR(sign > 0.0 ? fit->forward : fit->reverse, 50'000.0, 1e-3);
+        EXPECT_EQ(sign > 0.0 ? fit->reverse : fit->forward, 0.0);
+        EXPECT_EQ(fit->asymmetry(), 0.0);
+    }
+}
+
 TEST(GainFit, NeedsTwoSizesOfDuty)
 {
     EXPECT_FALSE(fitGain(std::vector{0.3, -0.3}, std::vector{900.0, -900.0}));

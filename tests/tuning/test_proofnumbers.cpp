@@ -2,6 +2,7 @@
 // What a proof reckons with: steps, errors at rest, and the worse of its trials.
 #include "model/family.h"
 #include "model/registry.h"
+#include "support/simulatedsession.h"
 #include "tuning/adviser.h"
 #include "tuning/proof.h"
 #include "tuning/uncertainty.h"
@@ -111,6 +112,20 @@ TEST(ProofNumbers, AWindowIsNoLongerThanItsDelayHas)
     EXPECT_DOUBLE_EQ(shapeOf(family, Mode::Velocity, plant, {}, {0.1, 0.05, 0.0}).window, 0.06);
     EXPECT_EQ(shapeOf(family, Mode::Position, plant, {}, {0.05, 0.025, 0.0}).window, 0.0);
     EXPECT_EQ(shapeOf(family, Mode::Velocity, plant, {}, {0.05, 0.025, 7.0}).windowCounts, 7.0);
+}
+
+TEST(ProofNumbers, AVelocityOfAsManyEdgesIsTakenOverTheTimeThatTheyTakeAndAtRestOverNoTime)
+{
+    test::SimulatedSession bench("sim:spi");
+    ASSERT_FALSE(bench.scan().empty());
+    Device &board = *bench.session.devices().front();
+    ASSERT_TRUE(test::run(bench.clock, board.read(bench.index(board, "history.length"))));
+    const VelocityTaking slow = velocityTaking(board, 1.0, {});
+    EXPECT_GT(slow.counts, 0.0);
+    EXPECT_DOUBLE_EQ(slow.window, slow.counts);
+    EXPECT_DOUBLE_EQ(velocityTaking(board, -2.0, {}).window, slow.counts / 2.0);
+    EXPECT_DOUBLE_EQ(velocityTaking(board, 1e9, {}).window, board.family().loop->cycle);
+    EXPECT_EQ(velocityTaking(board, 0.0, {}).window, 0.0);
 }
 
 TEST(ProofNumbers, TheBoundOfAnIntegralIsFreedOnlyOfGainsThatHaveOne)

@@ -109,6 +109,23 @@ TEST(PushEdge, OfADriveThatRampsByItselfIsThatOfItsSamples)
     EXPECT_NEAR(edgeOf(trial, 0.0, 0.0).at, missing, 1e-9);
 }
 
+TEST(PushEdge, WhatComesMoreThanHalfASecondAfterTheOrderIsNotItsEdge)
+{
+    for (const double late : {0.4, 0.6}) {
+        Trial trial = ledPush(0.001);
+        Trace order;
+        order.add(0.0, target);
+        Trace duty;
+        for (int i = -5; i < 50; ++i)
+            duty.add(i * edgeStep, i * edgeStep > late ? target : 0.0);
+        trial.signals.front().trace = order;
+        trial.signals.back().trace = duty;
+        const Edge edge = edgeOf(trial, 0.0, 0.0);
+        EXPECT_NEAR(edge.at, late < 0.5 ? late : 0.0, edgeStep) << late;
+        EXPECT_EQ(edge.at > 0.0, late < 0.5) << late;
+    }
+}
+
 TEST(PushRelease, OfADutyThatIsLedDownInStepsIsExactHoweverItIsSampled)
 {
     for (const double after : {0.001, 0.005, 0.01, 0.019}) {

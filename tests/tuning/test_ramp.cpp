@@ -116,6 +116,45 @@ TEST(Ramp, AMotorThatDoesNotMoveTellsNothing)
     EXPECT_FALSE(readRamp(ramped({50'000.0, 0.1, 0.2, 0.2, 0.0}, 1.0, seen, 1), knownOf({}, seen)));
 }
 
+TEST(Ramp, WithoutItsHoldItsTopItsPositionOrTheTimeOfTheMotorItTellsNothing)
+{
+    const Shaft shaft;
+    const Seen seen{0.0, 0.0, true};
+    const RampedMotor known = knownOf(shaft, seen);
+    const Trial whole = ramped(shaft, 1.0, seen, 1);
+    ASSERT_TRUE(readRamp(whole, known));
+    Trial less = whole;
+    less.holds.clear();
+    EXPECT_FALSE(readRamp(less, known));
+    less = whole;
+    less.stimulus.to = 0.0;
+    EXPECT_FALSE(readRamp(less, known));
+    less = whole;
+    less.signals.erase(less.signals.begin());
+    EXPECT_FALSE(readRamp(less, known));
+    EXPECT_FALSE(readRamp(whole, {0.0, 0.0, rampBeat, 0.0, 0.0}));
+}
+
+TEST(Ramp, ASupplyThatSagsPushesLess)
+{
+    const Shaft shaft;
+    const Seen seen{0.0, 0.0, true};
+    RampedMotor known = knownOf(shaft, seen);
+    Trial trial = ramped(shaft, 1.0, seen, 1);
+    const auto untold = readRamp(trial, known);
+    known.supply = 12.0;
+    const auto silent = readRamp(trial, known);
+    trial.signals.push_back({"bus_voltage", "V", {}});
+    for (int i = 0; i < 20; ++i)
+        trial.signals.back().trace.add(0.1 * i, 6.0);
+    const auto half = readRamp(trial, known);
+    ASSERT_TRUE(untold && silent && half);
+    EXPECT_NEAR(untold->friction, shaft.friction, 0.001);
+    EXPECT_DOUBLE_EQ(silent->friction, untold->friction) << "nobody told a voltage";
+    EXPECT_NEAR(half->friction, untold->friction / 2.0, 0.001);
+    EXPECT_NEAR(half->gain, untold->gain * 2.0, 0.01 * untold->gain);
+}
+
 TEST(Ramp, OneThatIsNotToBeBelievedChangesNoFrictionAndWarns)
 {
     MotorFound found;

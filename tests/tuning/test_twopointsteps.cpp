@@ -205,6 +205,17 @@ TEST(TwoPointRuns, ASmallerStepThatIsQuickerTellsOfAnOutputAtItsEnd)
     EXPECT_TRUE(runs.isLinear(10'000.0, true)) << "where the output is known they were chosen by it";
 }
 
+TEST(TwoPointRuns, OnlyStepsOfTheSameGainsAreHeldAgainstEachOther)
+{
+    TwoPointRuns runs;
+    runs.steps = {wayTo(50.0, 100.0, 0.0, 14), wayTo(100.0, 100.0, 0.0, 20)};
+    runs.steps.front().d = 50.0;
+    EXPECT_TRUE(runs.isLinear(10'000.0, false));
+    runs.steps.front().d = 100.0;
+    runs.steps.front().p = 80.0;
+    EXPECT_TRUE(runs.isLinear(10'000.0, false));
+}
+
 TEST(TwoPointRuns, AWayThatIsLedCountsWithWhatLeadsIt)
 {
     TwoPointRuns runs;

@@ -66,7 +66,6 @@ void FlashProof::settle()
     m_isOthers = false;
     m_unknownUntil.reset();
     m_baseline.reset();
-    m_between.reset();
 }
 
 void FlashProof::restarted()

@@ -358,7 +358,6 @@ void Motion::stop()
     m_wanted.reset();
     m_applied.reset();
     m_failure.reset();
-    m_run.reset();
     m_looked = false;
     m_starts = 0;
     m_stop.begin();
