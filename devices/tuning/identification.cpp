@@ -160,7 +160,7 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
 }
 
 /// Once without friction, and once more with what was found: where a duty grows slowly, it tells when the motor was free.
-Result<MotorFound> identify(const std::vector<Trial> &pushes)
+Result<MotorFound> identify(const std::vector<Trial> &pushes, double cycle)
 {
     MotorFound found;
     found.restNoise = pushes.empty() ? std::nullopt : restNoiseOf(pushes.front());
@@ -190,7 +190,7 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
         std::vector<double> duties;
         for (const PushRecord &record : records)
             duties.push_back(record.duty);
-        MB_TRY(const auto fit, fitPushes(records));
+        MB_TRY(const auto fit, fitPushes(records, cycle));
         found.pushes = fit;
         MB_TRY(const auto line, fitGain(duties, fit.speeds));
         found.line = line;

@@ -38,8 +38,9 @@ struct Gate {
 /// where it is known; it matters where a duty grows slowly.
 [[nodiscard]] std::vector<PushRecord> pushesOf(const Trial &trial, double friction = 0.0);
 
-/// Fits what the trials recorded: pushes of two sizes, both ways. OutOfRange where they do not tell it.
-[[nodiscard]] Result<MotorFound> identify(const std::vector<Trial> &pushes);
+/// Fits what the trials recorded: pushes of two sizes, both ways. `cycle`: s between two passes of the loop that takes them, 0: not
+/// known. OutOfRange where they do not tell it.
+[[nodiscard]] Result<MotorFound> identify(const std::vector<Trial> &pushes, double cycle = 0.0);
 
 /// All gates, those that passed too.
 [[nodiscard]] std::vector<Gate> gatesOf(const MotorFound &found, const std::vector<Trial> &pushes);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace mb::tuning {
@@ -23,6 +24,10 @@ constexpr int delaySteps = 33;
 constexpr double latestOrder = 0.15; ///< s
 constexpr double lateStep = 0.0005;
 constexpr double lateOrder = 0.008;
+constexpr double mostWait = 0.001; ///< s, early or late
+constexpr double finestWait = 0.00005;
+constexpr int roundsOfWaits = 4;
+constexpr std::size_t leastOfWaits = 3; ///< records that tell a wait from the delay of all
 constexpr double halfCount = 0.5;
 constexpr double stampError = 0.001; ///< s, of a busy computer's time stamps
 constexpr double wholePush = 3.0;    ///< lags that a push lasts that tells its lag by itself
@@ -206,17 +211,59 @@ bool align(std::vector<FittedPush> &pushes, double tau)
     return any;
 }
 
+/// How much later than all this record alone began.
+double waitOf(const FittedPush &push, const Point &at)
+{
+    const auto left = [&](double wait) { return project(push, at.tauOf(push), at.delay + wait).residual; };
+    double best = 0.0;
+    double least = left(best);
+    for (double step = mostWait; step > finestWait; step /= 2.0) {
+        for (const double wait : {best - step, best + step}) {
+            if (const double residual = left(wait); residual < least) {
+                least = residual;
+                best = wait;
+            }
+        }
+    }
+    return best;
+}
+
+struct Settled {
+    std::vector<FittedPush> pushes;
+    Point point;
+};
+
+/// What each record is early or late by is taken back: an order waits for the next pass of the device's loop, and so may its counts.
+Settled settled(std::vector<FittedPush> pushes, Point best, bool changes, double longest)
+{
+    std::vector<double> taken(pushes.size(), 0.0);
+    for (int round = 0; round < roundsOfWaits && longest > 0.0 && pushes.size() >= leastOfWaits; ++round) {
+        std::vector<double> waits;
+        for (const FittedPush &push : pushes)
+            waits.push_back(waitOf(push, best));
+        const double usual = std::accumulate(waits.begin(), waits.end(), 0.0) / static_cast<double>(waits.size());
+        for (std::size_t i = 0; i < pushes.size(); ++i) {
+            const double before = std::exchange(taken[i], std::clamp(taken[i] + waits[i] - usual, -longest, longest));
+            for (double &t : pushes[i].trace.t)
+                t -= taken[i] - before;
+        }
+        best.cost = costOf(pushes, best);
+        best = refined(pushes, best, changes);
+    }
+    return {std::move(pushes), best};
+}
+
 /// One lag for all; where the pushes clearly tell that it changes with duty and heat, that too.
-Point fitted(std::vector<FittedPush> &pushes)
+Settled fitted(std::vector<FittedPush> pushes, double longest)
 {
     Point best = refined(pushes, coarse(pushes), false);
     if (align(pushes, best.tau))
         best = refined(pushes, coarse(pushes), false);
-    const bool areWhole = std::ranges::all_of(pushes, [&](const FittedPush &push) { return isWhole(push, best.tau); });
-    if (!areWhole)
-        return best;
-    const Point changing = refined(pushes, best, true);
-    return changing.cost < clearlyLess * best.cost ? changing : best;
+    Settled same = settled(pushes, best, false, longest);
+    if (!std::ranges::all_of(pushes, [&](const FittedPush &push) { return isWhole(push, best.tau); }))
+        return same;
+    Settled changing = settled(pushes, refined(pushes, best, true), true, longest);
+    return changing.point.cost < clearlyLess * same.point.cost ? std::move(changing) : std::move(same);
 }
 
 /// Two standard errors of τ and delay from the curvature of the cost.
@@ -239,7 +286,7 @@ std::pair<double, double> uncertainty(std::span<const FittedPush> pushes, const 
 
 } // namespace
 
-Result<PushFit> fitPushes(std::span<const PushRecord> records)
+Result<PushFit> fitPushes(std::span<const PushRecord> records, double pass)
 {
     std::vector<FittedPush> pushes;
     std::size_t samples = 0;
@@ -258,12 +305,13 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
     if (pushes.empty())
         return fail(Fault::OutOfRange, say("the pushes that its limits leave hardly moved the motor"),
             say("allow more duty, speed or travel"));
-    const Point best = fitted(pushes);
-    const auto [tauError, delayError] = uncertainty(pushes, best, samples);
+    const auto [settledPushes, best]
+        = fitted(std::move(pushes), pass > stampError ? std::min(0.5 * pass, mostWait) : 0.0);
+    const auto [tauError, delayError] = uncertainty(settledPushes, best, samples);
     PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0, best.sag, best.warming};
     double expected = 0.0; // sum of squares that whole counts and late time stamps make
     double left = 0.0;
-    for (const FittedPush &push : pushes) {
+    for (const FittedPush &push : settledPushes) {
         const Projected projected = project(push, best.tauOf(push), best.delay);
         const double blur = projected.speed * stampError;
         expected += static_cast<double>(push.trace.size()) * (halfCount * halfCount + blur * blur);

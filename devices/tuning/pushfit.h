@@ -46,7 +46,9 @@ struct PushFit {
 };
 
 /// Fits all records together by variable projection (docs/tuning-method.md#identification). Nothing is resampled; the fit works at
-/// telemetry periods from 1 ms to 100 ms. OutOfRange where a record has fewer than eight samples or moved fewer than 50 counts.
-[[nodiscard]] Result<PushFit> fitPushes(std::span<const PushRecord> records);
+/// telemetry periods from 1 ms to 100 ms. `pass`: s between two of the device's loop, for which an order and its counts wait, each
+/// push differently: of more than 1 ms the half is taken back, 1 ms at most. OutOfRange where a record has fewer than eight samples
+/// or moved fewer than 50 counts.
+[[nodiscard]] Result<PushFit> fitPushes(std::span<const PushRecord> records, double pass = 0.0);
 
 } // namespace mb::tuning

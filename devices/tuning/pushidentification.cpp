@@ -107,7 +107,7 @@ Task<void> PushIdentification::identify(AutotuneRun &run)
     if (run.isOver())
         co_return {};
     co_await askForEdges(run.device());
-    auto found = co_await tuning::identify(m_pushes);
+    auto found = co_await tuning::identify(m_pushes, run.device().family().loop->cycle);
     FrictionRamp ramp(m_duty, m_held);
     co_await ramp.run(run, found);
     if (run.isOver())

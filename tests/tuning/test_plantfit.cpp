@@ -90,6 +90,28 @@ std::vector<PushRecord> pushes(Plant plant, double period, double jitter, std::u
     return records;
 }
 
+TEST(PushFit, TakesBackWhatEachPushWaitsForThePassOfItsBoard)
+{
+    const Plant plant{"cim", 9.0};
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> wait(0.0, 0.002);
+        std::vector<PushRecord> records;
+        for (PushRecord &record : pushes(plant, 0.01, 0.0, seed)) {
+            const double late = wait(random);
+            for (double &t : record.position.t)
+                t += late;
+            for (double &counts : record.position.y)
+                counts = std::floor(counts / 32.0); // 128 a turn
+            records.push_back(std::move(record));
+        }
+        const auto fit = fitPushes(records, 0.002);
+        ASSERT_TRUE(fit) << fit.error().text();
+        EXPECT_NEAR(fit->tau / Truth(plant).tau, 1.0, 0.0025) << "seed " << seed;
+        EXPECT_EQ(fit->sag, 0.0) << "seed " << seed;
+    }
+}
+
 TEST(PushFit, GivesTheGoldenPositions)
 {
     // K 46.3 rad/s/V, 4.8 V, 0.236 V of friction, tau 168 ms, dead time 12 ms: 0.843376, 15.820435, 173.375946 rad
