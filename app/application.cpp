@@ -102,9 +102,8 @@ Result<void> checkOptions(const Options &options)
     const auto isSide = [](const QString &text, int least) { return text.toInt() >= least && text.toInt() <= 16384; };
     if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
         return fail(Fault::OutOfRange, say("--size takes WIDTHxHEIGHT, such as 1280x800"));
-    for (const QString &link : options.links) {
+    for (const QString &link : options.links)
         MB_TRY_VOID(LinkAddress::parse(link.toStdString()));
-    }
     return {};
 }
 

@@ -103,9 +103,8 @@ Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
 
 Result<void> Project::save(const QString &folder) const
 {
-    for (const char *name : {"/parameters", "/plots"}) {
+    for (const char *name : {"/parameters", "/plots"})
         MB_TRY_VOID(makeFolder(folder + QLatin1String(name)));
-    }
     QJsonArray rows;
     for (const ProjectUnit &unit : units) {
         QJsonObject row = toJson(unit);
@@ -118,9 +117,8 @@ Result<void> Project::save(const QString &folder) const
     }
     const QJsonObject object{{QStringLiteral("project"), projectFormat},
         {QStringLiteral("links"), QJsonArray::fromStringList(links)}, {QStringLiteral("units"), rows}};
-    if (!layouts.isEmpty()) {
+    if (!layouts.isEmpty())
         MB_TRY_VOID(copyLayouts(layouts, folder + QStringLiteral("/plots"), true));
-    }
     return writeIfNew(folder + QLatin1Char('/') + QLatin1String(projectFile), QJsonDocument(object).toJson());
 }
 

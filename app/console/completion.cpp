@@ -4,7 +4,7 @@
 #include "app/console/target.h"
 #include "app/console/verb.h"
 
-#include <memory>
+#include <functional>
 
 namespace mb::console {
 namespace {
@@ -13,71 +13,32 @@ namespace {
 constexpr std::string_view settingsWords = "defaults snapshot:";
 constexpr std::string_view linkWords = "sim:can sim:serial sim:spi socketcan: serial: spidev: unix: replay:";
 
-/// What the shells complete, of the tables that the program itself reads.
-class Words {
-public:
-    explicit Words(std::span<const Family *const> families)
-        : m_families(families)
-    {
-    }
-    [[nodiscard]] static std::string verbNames()
-    {
-        std::string all;
-        for (const Verb &verb : verbs())
-            add(all, verb.name);
-        return all;
-    }
-    [[nodiscard]] static std::string options(std::string_view verb)
-    {
-        std::string all;
-        for (const OptionRow &row : optionsOf(verb))
-            add(all, row.name);
-        return all;
-    }
-    [[nodiscard]] std::string families() const
-    {
-        std::string all;
-        for (const Family *family : m_families)
-            add(all, family->key);
-        return all;
-    }
-    [[nodiscard]] static std::string keys(const Family &family)
-    {
-        std::string all;
-        for (const Parameter &parameter : family.parameters)
-            add(all, parameter.key);
-        return all;
-    }
-    [[nodiscard]] static std::string channels(const Family &family)
-    {
-        std::string all;
-        for (const Channel &channel : family.channels)
-            add(all, channel.key);
-        for (const StateRow &state : family.states)
-            add(all, state.key);
-        return all;
-    }
-    [[nodiscard]] static std::string modes(const Family &family)
-    {
-        std::string all(toString(Mode::Off));
-        for (const Mode mode : family.modes)
-            add(all, toString(mode));
-        return all;
-    }
-    template <class List> [[nodiscard]] static std::string list(const List &words)
-    {
-        std::string all;
-        for (const std::string_view word : words)
-            add(all, word);
-        return all;
-    }
-    [[nodiscard]] std::string dialects() const { return list(dialectWords(m_families)); }
+/// What the shells complete, of a table that the program itself reads.
+template <class Table, class Word = std::identity> std::string wordsOf(const Table &table, Word word = {})
+{
+    std::string all;
+    for (const auto &row : table)
+        all += (all.empty() ? "" : " ") + std::string(std::invoke(word, row));
+    return all;
+}
 
-private:
-    static void add(std::string &all, std::string_view word) { all += (all.empty() ? "" : " ") + std::string(word); }
-
-    std::span<const Family *const> m_families;
-};
+std::string optionsWords(std::string_view verb)
+{
+    return wordsOf(optionsOf(verb), &OptionRow::name);
+}
+std::string keysOf(const Family &family)
+{
+    return wordsOf(family.parameters, &Parameter::key);
+}
+std::string channelsOf(const Family &family)
+{
+    const std::string states = wordsOf(family.states, &StateRow::key);
+    return wordsOf(family.channels, &Channel::key) + (states.empty() ? "" : " " + states);
+}
+std::string modesOf(const Family &family)
+{
+    return std::string(toString(Mode::Off)) + ' ' + wordsOf(family.modes, [](Mode mode) { return toString(mode); });
+}
 
 /// `case "$what" in PATTERN) words=… ;;` of each family, by the DEVICE on the line.
 std::string caseOfFamilies(
@@ -93,7 +54,7 @@ std::string caseOfVerbs(const std::string &indent)
 {
     std::string text;
     for (const Verb &verb : verbs())
-        text += indent + std::string(verb.name) + ") words=\"" + Words::options(verb.name) + "\" ;;\n";
+        text += indent + std::string(verb.name) + ") words=\"" + optionsWords(verb.name) + "\" ;;\n";
     return text;
 }
 
@@ -105,23 +66,23 @@ std::string valuesOfOptions(std::span<const Family *const> families)
     --theme) words="dark light"; return ;;
     --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
     --size) [ "$verb" = report ] && words=")"
-        + Words::list(reportSizes) + R"("; return ;;
+        + wordsOf(reportSizes) + R"("; return ;;
     --loop) words=")"
-        + Words::list(tunableLoops()) + R"("; return ;;
+        + wordsOf(tunableLoops()) + R"("; return ;;
     --aim) words=")"
-        + Words::list(aimWords()) + R"("; return ;;
+        + wordsOf(aimWords()) + R"("; return ;;
     --profile) words=")"
-        + Words::list(profileWords()) + R"("; return ;;
+        + wordsOf(profileWords()) + R"("; return ;;
     --dialect) words=")"
-        + Words(families).dialects() + R"("; return ;;
+        + wordsOf(dialectWords(families)) + R"("; return ;;
     --channel)
         case "$device" in
-)" + caseOfFamilies(families, Words::channels, "        ")
+)" + caseOfFamilies(families, channelsOf, "        ")
         + R"(        esac
         return ;;
     --mode)
         case "$device" in
-)" + caseOfFamilies(families, Words::modes, "        ")
+)" + caseOfFamilies(families, modesOf, "        ")
         + R"(        esac
         return ;;
     esac
@@ -133,11 +94,11 @@ std::string valuesOfVerbs(std::span<const Family *const> families)
 {
     const auto assign = [](const std::string &list) { return "words=\"" + list + "\""; };
     const std::string anyLink = assign(std::string(linkWords));
-    return "    case \"$verb\" in\n    help) " + assign(Words::verbNames()) + " ;;\n    completion) "
-        + assign("bash zsh fish") + " ;;\n    parameters) " + assign(Words(families).families())
+    return "    case \"$verb\" in\n    help) " + assign(wordsOf(verbs(), &Verb::name)) + " ;;\n    completion) "
+        + assign("bash zsh fish") + " ;;\n    parameters) " + assign(wordsOf(families, &Family::key))
         + " ;;\n    decode|plot) " + assign("FILES") + " ;;\n    scan|monitor) " + anyLink
         + " ;;\n    get|set)\n        case \"$device\" in\n        \"\") " + anyLink + " ;;\n"
-        + caseOfFamilies(families, Words::keys, "        ") + "        esac ;;\n    diff) "
+        + caseOfFamilies(families, keysOf, "        ") + "        esac ;;\n    diff) "
         + assign(std::string(settingsWords) + ' ' + std::string(linkWords) + " FILES")
         + " ;;\n    restore|flash) if [ -n \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
         + "; fi ;;\n    service) if [ -z \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
@@ -167,7 +128,7 @@ std::string chooser(std::span<const Family *const> families)
 )" + valuesOfOptions(families)
         + R"(    if [ -z "$verb" ]; then
         words=")"
-        + Words::verbNames() + " " + Words::options({}) + R"( --version"
+        + wordsOf(verbs(), &Verb::name) + " " + optionsWords({}) + R"( --version"
         return
     fi
     case "$current" in
@@ -238,13 +199,12 @@ std::string forFish(std::span<const Family *const> families)
             text += seen + "-l " + row.name.substr(2) + (row.takesValue ? " -r" : "") + " -d " + fishText(row.help)
                 + '\n';
     }
-    const Words words(families);
     const auto offer = [&text](std::string_view verb, const std::string &list) {
         text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verb) + "' -a '" + list
             + "'\n";
     };
-    offer("parameters", words.families());
-    offer("help", Words::verbNames());
+    offer("parameters", wordsOf(families, &Family::key));
+    offer("help", wordsOf(verbs(), &Verb::name));
     offer("completion", "bash zsh fish");
     for (const char *verb : {"scan", "monitor", "info", "watch", "drive", "identify", "number", "rename"})
         offer(verb, std::string(linkWords));
@@ -253,18 +213,18 @@ std::string forFish(std::span<const Family *const> families)
         text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verbsOf) + "' -l "
             + std::string(option) + " -x -a '" + list + "'\n";
     };
-    take("tune", "loop", Words::list(tunableLoops()));
-    take("tune", "aim", Words::list(aimWords()));
-    take("step", "profile", Words::list(profileWords()));
-    take("report", "size", Words::list(reportSizes));
-    take("decode monitor", "dialect", words.dialects());
+    take("tune", "loop", wordsOf(tunableLoops()));
+    take("tune", "aim", wordsOf(aimWords()));
+    take("step", "profile", wordsOf(profileWords()));
+    take("report", "size", wordsOf(reportSizes));
+    take("decode monitor", "dialect", wordsOf(dialectWords(families)));
     for (const Family *family : families) {
         const std::string device = "string match -q \"*/" + std::string(family->key) + ":*\" (commandline -opc)";
         const auto onDevice
             = [&](const std::string &rest) { text += "complete -c motorbenchctl -n '" + device + rest + "'\n"; };
-        onDevice("; and __fish_seen_subcommand_from get set' -a '" + Words::keys(*family));
-        onDevice("' -l channel -x -a '" + Words::channels(*family));
-        onDevice("' -l mode -x -a '" + Words::modes(*family));
+        onDevice("; and __fish_seen_subcommand_from get set' -a '" + keysOf(*family));
+        onDevice("' -l channel -x -a '" + channelsOf(*family));
+        onDevice("' -l mode -x -a '" + modesOf(*family));
     }
     for (const char *verb : {"restore", "flash", "decode", "plot", "service", "diff"})
         text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verb) + "' -F\n";

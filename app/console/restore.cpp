@@ -102,9 +102,8 @@ std::vector<Change> lostChanges(const Device &device)
 Result<std::optional<NamedSettings>> nameSource(
     const Console &console, const RestoreArguments &arguments, const Family &family)
 {
-    for (const std::string &key : arguments.unitValues) {
+    for (const std::string &key : arguments.unitValues)
         MB_TRY_VOID(parseKey(family, key));
-    }
     if (arguments.file.empty() && family.capabilities.keepsSettings)
         return fail(Fault::Usage, say("a %1 keeps its settings itself", family.title),
             say("name a FILE that 'motorbenchctl get DEVICE --file F' saved"));

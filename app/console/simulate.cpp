@@ -56,14 +56,12 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
     if (link->isSimulated())
         return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link->text()),
             say("use it directly"));
-    if (link->scheme == "unix") {
+    if (link->scheme == "unix")
         MB_TRY_VOID(UnixSpiServer::create(*link, console.clock()));
-    }
     if (group.size() < 2)
         return fail(Fault::Usage, say("--on %1 names no device", link->text()), say("add one such as dmc60c:5"));
-    if (link->scheme == "pty") {
+    if (link->scheme == "pty")
         MB_TRY_VOID(PtyLine::create(*link, console.clock()));
-    }
     const bool isTwice = std::ranges::any_of(plan.links,
         [&link](const LinkAddress &other) { return other.scheme == link->scheme && other.path == link->path; });
     if (link->scheme == "unix" && (group.size() > 2 || isTwice))
@@ -93,9 +91,8 @@ Result<SimulatePlan> check(Console &console, const SimulateArguments &arguments)
     MB_TRY(const auto time, parseSpan(arguments.seconds));
     SimulatePlan plan;
     plan.time = time;
-    for (const auto &group : arguments.on) {
+    for (const auto &group : arguments.on)
         MB_TRY_VOID(addGroup(console, group, static_cast<std::uint64_t>(*seed), plan));
-    }
     return plan;
 }
 

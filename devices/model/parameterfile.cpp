@@ -173,9 +173,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     if (!rows.isObject())
         return fail(Fault::OutOfRange, say("not a parameter file: it has no \"parameters\""));
     const QJsonObject parameters = rows.toObject();
-    for (auto row = parameters.begin(); row != parameters.end(); ++row) {
+    for (auto row = parameters.begin(); row != parameters.end(); ++row)
         MB_TRY_VOID(takeRow(family, row.key(), row.value(), file));
-    }
     std::ranges::sort(
         file.values, [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
     return file;

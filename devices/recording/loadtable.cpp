@@ -137,9 +137,8 @@ public:
             m_lost.push_back(std::exchange(m_losses[title], 0));
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        while (!isEnough(m_most) && next(line)) {
+        while (!isEnough(m_most) && next(line))
             MB_TRY_VOID(takeRow(fieldsOf(line, m_separator)));
-        }
         if (m_tooLong)
             return wrong(tooLong());
         for (std::uint16_t i = 0; i < m_lost.size(); ++i) {

@@ -94,9 +94,8 @@ Result<RecipeMatter> readFiles(Recipe recipe, const QByteArray &text, const std:
     all.addData(text);
     RecipeMatter matter;
     matter.recipe = std::move(recipe);
-    if (matter.recipe.firmware) {
+    if (matter.recipe.firmware)
         MB_TRY_VOID(readImage(path, matter, all));
-    }
     if (matter.recipe.parameters) {
         MB_TRY_VOID(readParameters(path, matter, all));
     }

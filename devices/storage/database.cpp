@@ -152,9 +152,8 @@ Result<void> Database::migrate()
         for (; version < newest; ++version) {
             const QStringList statements = QString::fromUtf8(versions[static_cast<std::size_t>(version)])
                                                .split(QStringLiteral(";\n"), Qt::SkipEmptyParts);
-            for (const QString &statement : statements) {
+            for (const QString &statement : statements)
                 MB_TRY_VOID(run(statement.toUtf8().constData()));
-            }
         }
         return run(("PRAGMA user_version = " + std::to_string(newest)).c_str());
     });

@@ -97,9 +97,8 @@ Result<void> addTunings(TrialBook &book, ReportUnit &unit, const std::vector<std
         }
     }
     for (KeptTuning &kept : unit.tunings) {
-        for (tuning::Trial &trial : kept.report.proof) {
+        for (tuning::Trial &trial : kept.report.proof)
             MB_TRY_VOID(addSignals(book, trial));
-        }
     }
     return {};
 }
@@ -131,9 +130,8 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
     unit.trials = shownTrials(unit, wish);
     unit.sines = newestSweep(unit.history, wish.trials);
     for (std::vector<KeptTrial> *const shown : {&unit.sines, &unit.trials}) {
-        for (KeptTrial &kept : *shown) {
+        for (KeptTrial &kept : *shown)
             MB_TRY_VOID(addSignals(book, kept.trial));
-        }
     }
     return {};
 }
@@ -176,9 +174,8 @@ Result<std::vector<ReportUnit>> reportUnits(
         unit.identity.firmware = kept.trial.firmware;
         unit.simulated = kept.trial.simulated;
     }
-    for (ReportUnit &unit : units) {
+    for (ReportUnit &unit : units)
         MB_TRY_VOID(fill(book, unit, wish));
-    }
     return units;
 }
 

@@ -178,9 +178,8 @@ Task<void> TrialBook::release(std::string unit, std::vector<std::string> keys)
 {
     unit = resolvedUnit(m_database, unit);
     co_return m_database.transact([&]() -> Result<void> {
-        for (const std::string &key : keys) {
+        for (const std::string &key : keys)
             MB_TRY_VOID(m_database.run("DELETE FROM owed WHERE unit = ? AND key = ?", {qt(unit), qt(key)}));
-        }
         return {};
     });
 }

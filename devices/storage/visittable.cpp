@@ -161,9 +161,8 @@ Result<void> putVisit(SqlConnection &sql, const KeptVisit &kept)
 Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits)
 {
     return sql.transact([&]() -> Result<void> {
-        for (const KeptVisit &kept : visits) {
+        for (const KeptVisit &kept : visits)
             MB_TRY_VOID(putVisit(sql, kept));
-        }
         return {};
     });
 }

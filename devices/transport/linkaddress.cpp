@@ -56,9 +56,8 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
     const std::string_view rest = text.substr(colon + 1);
     const auto question = rest.find('?');
     address.path = rest.substr(0, question);
-    if (question != std::string_view::npos) {
+    if (question != std::string_view::npos)
         MB_TRY_VOID(parseOptions(rest.substr(question + 1), address.options));
-    }
     if (address.isSimulated()) {
         if (!address.path.empty() && address.path != "can" && address.path != "serial" && address.path != "spi")
             return fail(Fault::OutOfRange,
