@@ -6,7 +6,6 @@
 #include "families/abstractdc/setpoints.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mb::abstractdc {
@@ -21,20 +20,19 @@ constexpr double temperatureRate = 1.0;
 constexpr double drivenRate = 50.0;                             ///< the loop of the drive is no faster
 constexpr Duration twoPasses = 2 * loopPeriod + loopPeriod / 4; ///< each takes its time, too
 
-/// In the order of Log.
-constexpr std::array<ChannelIndex, logCount> channelsOfLogs{
-    channel::position, channel::velocity, channel::current, channel::temperature, channel::duty};
-
-ChannelIndex channelOf(Log log)
-{
-    return channelsOfLogs.at(static_cast<std::size_t>(log));
-}
-
 std::optional<Log> logOf(ChannelIndex channel)
 {
-    const auto found = std::ranges::find(channelsOfLogs, channel);
-    return found == channelsOfLogs.end() ? std::nullopt
-                                         : std::optional(static_cast<Log>(found - channelsOfLogs.begin()));
+    if (channel == channel::position)
+        return Log::Position;
+    if (channel == channel::velocity)
+        return Log::Velocity;
+    if (channel == channel::current)
+        return Log::Current;
+    if (channel == channel::duty)
+        return Log::Voltage;
+    if (channel == channel::temperature)
+        return Log::Temperature;
+    return std::nullopt;
 }
 
 } // namespace
@@ -49,8 +47,8 @@ LogSense::LogSense(
     , m_poller(link, clock,
           {[this](Log log, std::int32_t value, Instant time) { take(log, value, time); }, [this] { m_owner.silent(); },
               [this](Log log) {
-                  if (isOfThisRun(log, m_clock.now()))
-                      m_telemetry->lost(channelOf(log), 1);
+                  if (log == Log::Position)
+                      m_telemetry->lost(channel::position, 1);
               }})
     , m_whereabouts(profile, m_owner.stands)
     , m_look(clock)
@@ -117,11 +115,6 @@ bool LogSense::isFresh(Log log) const
     return true;
 }
 
-bool LogSense::isOfThisRun(Log log, Instant time) const
-{
-    return isFresh(log) && ((log != Log::Velocity && log != Log::Voltage) || hasPassed(time));
-}
-
 /// A set-point may wait for what is on the wire. A duty has no pass to wait for.
 bool LogSense::hasPassed(Instant time) const
 {
@@ -162,7 +155,7 @@ void LogSense::take(Log log, std::int32_t value, Instant time)
     switch (log) {
     case Log::Position: takePosition(value, time); break;
     case Log::Velocity:
-        if (!isOfThisRun(log, time))
+        if (!isFresh(log) || !hasPassed(time))
             break;
         m_velocity = value;
         m_telemetry->append({channel::velocity, time, static_cast<double>(value)});
@@ -203,7 +196,7 @@ void LogSense::takePosition(std::int32_t value, Instant time)
 
 void LogSense::takeVoltage(std::int32_t value, Instant time)
 {
-    if (!isOfThisRun(Log::Voltage, time))
+    if (!isFresh(Log::Voltage) || !hasPassed(time))
         return;
     if (m_output.take(value)) {
         m_owner.wrapped();

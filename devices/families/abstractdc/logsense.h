@@ -67,8 +67,6 @@ private:
     void plan();
     [[nodiscard]] double rateOf(Log log) const;
     [[nodiscard]] bool isFresh(Log log) const;
-    /// What is told of it at that time is of this run.
-    [[nodiscard]] bool isOfThisRun(Log log, Instant time) const;
     void take(Log log, std::int32_t value, Instant time);
     void takePosition(std::int32_t value, Instant time);
     void takeVoltage(std::int32_t value, Instant time);
