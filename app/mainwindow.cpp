@@ -37,6 +37,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QStackedWidget>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -181,8 +182,9 @@ void MainWindow::buildStatus()
 {
     auto *const status = new StatusBar(m_workbench, m_theme, this);
     setStatusBar(status);
-    connect(m_pages, &PageStack::shownChanged, status, [this, status] {
-        if (shownPage() == PageId::Log)
+    connect(m_pages, &PageStack::shownChanged, status, [this, status, wasLog = false]() mutable {
+        const bool isLog = shownPage() == PageId::Log;
+        if (std::exchange(wasLog, isLog) || isLog) // what came meanwhile was read there, too
             status->forget();
     });
 }

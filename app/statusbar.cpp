@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::chrono::seconds messageTime{8}, footprintTime{1};
 
+QString wordsOf(const Notice &notice)
+{
+    return (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
+}
+
 } // namespace
 
 StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
@@ -30,8 +35,9 @@ StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *pa
     addWidget(m_message, 1);
     addPermanentWidget(m_footprint);
     m_messageTime.setSingleShot(true);
-    connect(&m_messageTime, &QTimer::timeout, this, &StatusBar::forget);
-    connect(&workbench, &Workbench::noticed, this, &StatusBar::showNotice);
+    m_messageTime.setObjectName(QStringLiteral("messageTime"));
+    connect(&m_messageTime, &QTimer::timeout, this, &StatusBar::endMessage);
+    connect(&workbench, &Workbench::noticed, this, &StatusBar::take);
     connect(&m_footprintTime, &QTimer::timeout, this, &StatusBar::showFootprint);
     m_footprintTime.start(footprintTime);
     showFootprint();
@@ -39,25 +45,39 @@ StatusBar::StatusBar(Workbench &workbench, const ThemeSource &theme, QWidget *pa
 
 void StatusBar::forget()
 {
-    m_isGrave = false;
+    m_grave.reset();
+    m_messageTime.stop();
     m_message->clear();
     setSpoken(*m_message, {}, {});
 }
 
-void StatusBar::showNotice(const Notice &notice)
+void StatusBar::take(const Notice &notice)
 {
-    if (m_isGrave && notice.severity != Severity::Danger)
-        return; // the page Log has it
-    m_isGrave = notice.severity == Severity::Danger;
-    const QString time = clockText(momentOf(m_workbench, notice.time));
-    const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
-    m_message->setText(time + QLatin1Char(' ') + words);
-    announce(*m_message, words);
-    setTone(*m_message, m_isGrave ? Tone::Danger : notice.severity == Severity::Caution ? Tone::Caution : Tone::Text);
-    if (m_isGrave)
-        m_messageTime.stop();
+    write(notice);
+    announce(*m_message, wordsOf(notice));
+    m_messageTime.stop();
+    if (notice.severity == Severity::Danger)
+        m_grave = notice;
     else
         m_messageTime.start(messageTime);
+}
+
+/// What is grave stands again after what was told meanwhile.
+void StatusBar::endMessage()
+{
+    if (!m_grave)
+        return forget();
+    write(*m_grave);
+    setSpoken(*m_message, wordsOf(*m_grave), {});
+}
+
+void StatusBar::write(const Notice &notice)
+{
+    m_message->setText(clockText(momentOf(m_workbench, notice.time)) + QLatin1Char(' ') + wordsOf(notice));
+    setTone(*m_message,
+        notice.severity == Severity::Danger        ? Tone::Danger
+            : notice.severity == Severity::Caution ? Tone::Caution
+                                                   : Tone::Text);
 }
 
 void StatusBar::showFootprint()

@@ -6,6 +6,8 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include <optional>
+
 class QLabel;
 
 namespace mb {
@@ -26,14 +28,16 @@ protected:
     void mousePressEvent(QMouseEvent *) override { forget(); }
 
 private:
-    void showNotice(const Notice &notice);
+    void take(const Notice &notice);
+    void endMessage();
+    void write(const Notice &notice);
     void showFootprint();
 
     Workbench &m_workbench;
     QLabel *m_message = nullptr;
-    bool m_isGrave = false; ///< what it says
+    std::optional<Notice> m_grave; ///< that nobody has read yet
     QLabel *m_footprint = nullptr;
-    QTimer m_messageTime;
+    QTimer m_messageTime{this};
     QTimer m_footprintTime;
 };
 

@@ -91,6 +91,19 @@ TEST_F(AbstractDcController, TheStopOfOffsetZeroStartsNoDriveOfTheOldestDialect)
     }
 }
 
+TEST_F(AbstractDcController, TheStopOfOffsetZeroIsNotWithheldOnceTheOldestDialectIsSilent)
+{
+    Simulator &oldest = add("abstractdc:7,dialect=LL");
+    const auto watched = family.open(host, clock, identityOf(7, &dialectLL));
+    open(0, &dialectL);
+    clock.advance(500ms);
+    ASSERT_TRUE(watched->liveness().heard);
+    EXPECT_FALSE(device->mayStop());
+    oldest.setPowered(false);
+    clock.advance(6s);
+    EXPECT_TRUE(device->mayStop());
+}
+
 TEST_F(AbstractDcController, AnotherDriveThatComesEndsTheMotionOfOffsetZero)
 {
     Simulator &drive = add("abstractdc:0");

@@ -2,6 +2,7 @@
 #include "support/windowtests.h"
 #include "widgets/common/applytheme.h"
 #include "widgets/common/commandpalette.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/pagekeys.h"
 
 #include <QLineEdit>
@@ -125,6 +126,9 @@ void CommandPaletteTest::buttonsThatCannotBePressedAreLeftOut()
     QPushButton off(QStringLiteral("Never"), &page);
     off.setEnabled(false);
     QPushButton held(QStringLiteral("Arm"), &page);
+    const ThemeSource theme(darkTheme());
+    HoldButton sends(theme, Symbol::Add, QStringLiteral("Hold to send"), &page);
+    sends.setHoldNeeded(true);
     held.setFocusPolicy(Qt::NoFocus);
     page.show();
     std::vector<Command> commands;

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void becomingMovingEndsTheHold();
     void assistivePressFillsAndASecondOneCancels();
     void assistivePressHoldsAButtonTooAndASecondOneCancels();
+    void theStopKeyThatIsLetGoBeginsNoHoldOfAButtonThatIsStillDown();
     void theLampKeepsItsWidth();
     void whatMayStillTurnIsSaidOnTwoLinesInTheSameWidth();
     void whatMayStillTurnCannotBeArmed();
@@ -190,6 +191,21 @@ void LampTest::assistivePressFillsAndASecondOneCancels()
     m_lamp->setHoldMilliseconds(20);
     m_lamp->click();
     QVERIFY(armed.wait(2000));
+}
+
+void LampTest::theStopKeyThatIsLetGoBeginsNoHoldOfAButtonThatIsStillDown()
+{
+    HoldButton button(m_theme, Symbol::Add, QStringLiteral("Send"), m_window.get());
+    button.show();
+    button.setHoldNeeded(true);
+    button.setHoldMilliseconds(60'000);
+    QSignalSpy activated(&button, &HoldButton::activated);
+    QTest::mousePress(&button, Qt::LeftButton);
+    button.giveUp(); // Space was pressed
+    button.setHoldMilliseconds(1);
+    button.setDown(true); // by the next move of the mouse
+    QTest::keyRelease(&button, Qt::Key_Space);
+    QVERIFY(!activated.wait(50));
 }
 
 void LampTest::assistivePressHoldsAButtonTooAndASecondOneCancels()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/commandpalette.h"
 
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/pagekeys.h"
 
 #include <QAbstractButton>
@@ -77,8 +78,11 @@ void addCommands(std::vector<Command> &into, const QString &place, const QMenu &
 void addButtons(std::vector<Command> &into, const QString &place, const QWidget &page)
 {
     for (QAbstractButton *button : page.findChildren<QAbstractButton *>()) {
-        if (!button->isVisible() || !button->isEnabled() || button->focusPolicy() == Qt::NoFocus)
-            continue; // the arm button is one of those, and is held on purpose
+        const auto *held
+            = qobject_cast<const HoldButton *>(button); // on purpose, as the arm button, which takes no focus
+        if (!button->isVisible() || !button->isEnabled() || button->focusPolicy() == Qt::NoFocus
+            || (held && held->isHoldNeeded()))
+            continue;
         const QString name
             = withoutMarks(button->accessibleName().isEmpty() ? button->text() : button->accessibleName());
         if (name.isEmpty())

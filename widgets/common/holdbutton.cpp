@@ -51,9 +51,12 @@ void HoldButton::keyPressEvent(QKeyEvent *event)
         m_hold.begin();
 }
 
+/// Space is the stop key: its release is no click of a button that the pointer is still on.
 void HoldButton::keyReleaseEvent(QKeyEvent *event)
 {
-    if (!holds(*event))
+    if (m_needed && (event->key() == Qt::Key_Space || event->key() == Qt::Key_Select))
+        event->accept();
+    else if (!holds(*event))
         CommandButton::keyReleaseEvent(event);
     else if (!event->isAutoRepeat())
         m_hold.end();

@@ -116,6 +116,7 @@ void ExperimentDialog::buildButtons(QVBoxLayout &column)
         column.addWidget(textLabel(tr("STOP, Esc or Cancel ends it at any time."), TextRole::Caption, Tone::Dim, this));
     row->addStretch();
     m_close = new QPushButton(tr("Close"), this);
+    m_close->setAutoDefault(false); // the Enter that is held to begin would cancel
     m_start = new HoldButton(m_theme, Symbol::Play, moves ? tr("Hold to turn the motor") : tr("Begin"), this);
     m_start->setObjectName(QStringLiteral("beginExperiment"));
     m_start->setPrimary(true);

@@ -32,7 +32,7 @@ public:
     [[nodiscard]] const QuestionWatch &questions() const { return m_questions; }
     /// What this drive is sent, others do, too: it has offset 0, and others answer. Then nobody is asked for the voltage log.
     [[nodiscard]] bool reachesOthers() const { return m_offset == 0 && m_questions.hearsOthers(); }
-    /// Of those, a drive of dialect LL, which takes a stop of eight bytes for a set-point.
+    /// One that was heard at any time, a drive of dialect LL, takes a stop of eight bytes for a set-point.
     [[nodiscard]] bool reachesOldest() const { return m_offset == 0 && m_questions.hears(dialectLL); }
 
 private:
