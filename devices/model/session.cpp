@@ -107,20 +107,34 @@ Error nobody(const DeviceSelector &selector, bool inRecording)
 
 } // namespace
 
-/// nullptr where only the bus leads to it.
-Device *Session::adoptSilent(Link &link, const DeviceSelector &selector)
+/// A programmer does not tell whom it hangs on, so nobody else of the family may answer. `seen` answered to the question for it.
+Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::vector<Device *> seen)
 {
+    Error error = nobody(selector, false);
     const auto family = std::ranges::find(m_families, selector.family, [](const Family *f) { return f->key; });
     if (family == m_families.end() || (*family)->routes.empty() || selector.session
         || std::ranges::find((*family)->links, link.kind()) == (*family)->links.end())
-        return nullptr;
+        co_return fail(std::move(error));
+    if ((*family)->probe) // nobody else was asked
+        seen = co_await scan(link);
+    for (Device *const device : seen) {
+        const Identity &identity = device->identity();
+        if (identity.family != selector.family)
+            continue;
+        if (identity.address == selector.address)
+            co_return device;
+        error.remedy = say(
+            "%1 answers, and a programmer would not tell them apart: take all others off the line", device->selector());
+    }
+    if (!error.remedy.empty())
+        co_return fail(std::move(error));
     Identity silent;
     silent.family = selector.family;
     silent.address = selector.address;
     silent.state = DeviceState::Bootloader;
     silent.detail = say("nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or "
                         "reset it without the jumper of its bootloader");
-    return &m_devices.adopt(link, **family, silent, {});
+    co_return &m_devices.adopt(link, **family, silent, {});
 }
 
 Task<Device *> Session::connect(DeviceSelector selector, bool mayBeSilent)
@@ -144,8 +158,8 @@ Task<Device *> Session::connect(DeviceSelector selector, bool mayBeSilent)
         co_return fail(Fault::Timeout, say("number %1 has another session", selector.address),
             others.size() == 1 ? say("it is %1", others[0]->selector())
                                : say("name one: %1 or %2", others[0]->selector(), others[1]->selector()));
-    if (Device *const silent = fitting.empty() && mayBeSilent && !recording ? adoptSilent(*link, selector) : nullptr)
-        co_return silent;
+    if (fitting.empty() && mayBeSilent && !recording)
+        co_return co_await adoptSilent(*link, std::move(selector), seen);
     if (fitting.empty())
         co_return fail(nobody(selector, recording));
     if (fitting.size() > 1)

@@ -58,7 +58,8 @@ public:
     [[nodiscard]] Task<std::vector<Device *>> scan(Link &link, ScanOptions options);
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
     /// and the selector does not say which. `mayBeSilent`: where firmware takes another way in than the bus (Family::routes), one
-    /// that does not answer is yielded as DeviceState::Bootloader: its update was cut, or it never had a program.
+    /// that does not answer is yielded as DeviceState::Bootloader: its update was cut, or it never had a program. But Timeout where
+    /// another of its family answers on the link, which may be the one that is written then.
     [[nodiscard]] Task<Device *> connect(DeviceSelector selector, bool mayBeSilent = false);
 
     [[nodiscard]] std::vector<Device *> devices() const { return m_devices.all(); }
@@ -80,7 +81,7 @@ private:
     [[nodiscard]] ScanRound::Surroundings aroundScan(Link &link);
     [[nodiscard]] Task<std::vector<Device *>> ask(Link &link, DeviceSelector selector);
     [[nodiscard]] Task<std::vector<Device *>> overhear(ReplayLink &link);
-    [[nodiscard]] Device *adoptSilent(Link &link, const DeviceSelector &selector);
+    [[nodiscard]] Task<Device *> adoptSilent(Link &link, DeviceSelector selector, std::vector<Device *> seen);
 
     Clock &m_clock;
     std::span<const Family *const> m_families;

@@ -5,6 +5,7 @@
 #include "model/unit.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace mb::service {
@@ -21,10 +22,12 @@ std::string linkOf(const Visit &visit)
 }
 
 /// Who answers as its unit does is the one of this visit. Who stands in a place may be another than the one that has ended there, or
-/// that was given its number there; one that was cut off before that goes on.
+/// that was given another number there; one that was cut off before that goes on.
 bool goesOnHere(const Visit &visit)
 {
-    const auto isGiven = [](const StepEntry &entry) { return entry.step == Step::Number && entry.ended; };
+    const bool isRenumbered = visit.number && !visit.unit.ends_with(':' + std::to_string(*visit.number));
+    const auto isGiven
+        = [isRenumbered](const StepEntry &entry) { return isRenumbered && entry.step == Step::Number && entry.ended; };
     return unitByOf(visit.unit) != UnitBy::Place
         || (visit.outcome == Outcome::Open && std::ranges::none_of(visit.steps, isGiven));
 }

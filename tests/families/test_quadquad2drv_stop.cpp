@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a stop ends, and what it does when the board does not answer. On virtual time.
+#include "families/quadquad2drv/channels.h"
 #include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/protocol.h"
 #include "support/simulatedsession.h"
@@ -56,6 +57,21 @@ struct QuadQuad2DrvStop : testing::Test {
         EXPECT_FALSE(board->isOutputOn());
         for (const Bytes &packet : sent)
             EXPECT_FALSE(isMode(packet, ControlMode::Power));
+    }
+    /// A motor that turns is told to stop, and the answer to the first question for the proof is lost.
+    void stopProvenLater()
+    {
+        ASSERT_TRUE(stream->start(duty(0.3), 10s));
+        bench.clock.advance(200ms);
+        sent.clear();
+        stream->stop();
+        const auto isOff = [](const Bytes &packet) { return isMode(packet, ControlMode::Off); };
+        ASSERT_TRUE(bench.clock.runUntil([&] { return std::ranges::count_if(sent, isOff) == 2; }, 1s));
+        spi().setLoss(1.0);
+        bench.clock.advance(5ms);
+        spi().setLoss(0.0);
+        bench.clock.advance(50ms);
+        ASSERT_FALSE(device->isSeenStopped());
     }
     VirtualSpiLink &spi() { return dynamic_cast<VirtualSpiLink &>(*bench.link); }
 
@@ -118,24 +134,41 @@ TEST_F(QuadQuad2DrvStop, TheNextMotionAfterItIsObeyedThoughAnOrderWasStillUnderW
 /// What asks for the proof of a stop switches all axes off.
 TEST_F(QuadQuad2DrvStop, AMotionThatIsOrderedBehindItBeginsOnceItIsProven)
 {
-    ASSERT_TRUE(stream->start(duty(0.3), 10s));
-    bench.clock.advance(200ms);
-    sent.clear();
-    stream->stop();
-    const auto isOff = [](const Bytes &packet) { return isMode(packet, ControlMode::Off); };
-    ASSERT_TRUE(bench.clock.runUntil([&] { return std::ranges::count_if(sent, isOff) == 2; }, 1s));
-    spi().setLoss(1.0); // the answer to its first question
-    bench.clock.advance(5ms);
-    spi().setLoss(0.0);
-    bench.clock.advance(50ms);
-    ASSERT_FALSE(device->isSeenStopped());
+    stopProvenLater();
     ASSERT_TRUE(stream->start(duty(0.3), 10s));
     bench.clock.advance(1s);
     EXPECT_TRUE(board->isOutputOn());
     EXPECT_TRUE(stream->isRunning()) << stream->reason().english();
     const auto begun = std::ranges::find_if(sent, [](const Bytes &p) { return isMode(p, ControlMode::Power); });
     ASSERT_NE(begun, sent.end());
-    EXPECT_TRUE(std::none_of(begun, sent.end(), isOff));
+    EXPECT_TRUE(std::none_of(begun, sent.end(), [](const Bytes &p) { return isMode(p, ControlMode::Off); }));
+}
+
+TEST_F(QuadQuad2DrvStop, AMoveThatIsOrderedBehindItBeginsWhereTheMotorIsThen)
+{
+    const auto place = [this] {
+        return static_cast<std::int32_t>(device->telemetry()->latest(channelOf(0, AxisChannel::Position))->value);
+    };
+    stopProvenLater();
+    const std::int32_t ordered = place(); // and it runs out
+    int rests = 0;
+    const auto listening = bench.link->traffic().add([&](const Traffic &traffic) {
+        const Bytes packet(traffic.bytes.begin(), traffic.bytes.end());
+        if (traffic.direction != Direction::Sent || packet.size() < 3
+            || packet[2] != static_cast<std::uint8_t>(PacketId::SetPositionTarget))
+            return;
+        ++rests;
+        EXPECT_EQ(packet, setPositionTarget(maskOf(0), place()));
+        EXPECT_GT(place(), ordered);
+    });
+    SetPoint move;
+    move.mode = Mode::RampPosition;
+    move.target = ordered + 20000.0;
+    move.velocity = 5000.0;
+    move.acceleration = 50000.0;
+    ASSERT_TRUE(stream->start(move, 10s));
+    bench.clock.advance(1s);
+    EXPECT_EQ(rests, 2) << "before it takes the mode, and after it";
 }
 
 TEST_F(QuadQuad2DrvStop, AnOrderThatTheBoardDoesNotTakeEndsTheMotionAndItStaysEnded)

@@ -132,16 +132,40 @@ TEST(Session, YieldsASilentUnitWhereItIsMeantAndAnotherWayInLeadsToIt)
         return test::run(bench.clock, bench.session.connect(*DeviceSelector::parse(selector), true));
     };
     EXPECT_FALSE(connect(bench, "sim:can/abstractdc:6"));
+    const auto beside = silent("sim:can/abstractdc:6");
+    ASSERT_FALSE(beside) << "the programmer may hang on another";
+    EXPECT_EQ(beside.error().fault, Fault::Timeout);
+    EXPECT_NE(beside.error().text().find("take all others off the line"), std::string::npos) << beside.error().text();
+    for (const char *other : {"abstractdc:3", "abstractdc:4", "abstractdc:5"})
+        bench.simulator(other)->setPowered(false);
     const auto mute = silent("sim:can/abstractdc:6");
     ASSERT_TRUE(mute) << mute.error().text();
     EXPECT_EQ((*mute)->identity().state, DeviceState::Bootloader);
     EXPECT_FALSE((*mute)->identity().detail.empty());
+    bench.simulator("abstractdc:3")->setPowered(true);
     const auto there = silent("sim:can/abstractdc:3");
     ASSERT_TRUE(there);
     EXPECT_EQ((*there)->identity().state, DeviceState::Online);
     EXPECT_FALSE(silent("sim:can/dmc60c:33")) << "only the bus leads to it";
     EXPECT_FALSE(silent("sim:can/supermodified:4")) << "it speaks no CAN";
     EXPECT_EQ((*silent("sim:spi/quadquad2drv:0"))->identity().state, DeviceState::Online);
+}
+
+TEST(Session, YieldsNoSilentNodeOfALineWhereAnotherOneAnswers)
+{
+    SimulatedSession bench("sim:serial");
+    const auto silent = [&bench] {
+        return test::run(
+            bench.clock, bench.session.connect(*DeviceSelector::parse("sim:serial/supermodified:9"), true));
+    };
+    const auto beside = silent();
+    ASSERT_FALSE(beside) << "only this one is asked at first";
+    EXPECT_EQ(beside.error().fault, Fault::Timeout);
+    for (Simulator *const node : bench.session.bench(*bench.link)->simulators())
+        node->setPowered(false);
+    const auto mute = silent();
+    ASSERT_TRUE(mute) << mute.error().text();
+    EXPECT_EQ((*mute)->identity().state, DeviceState::Bootloader);
 }
 
 TEST(Session, WantsTheSessionWhereANumberIsTakenTwice)

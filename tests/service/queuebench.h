@@ -28,6 +28,7 @@ protected:
         books->write("recipe.json", text);
         QFile::copy(QString::fromStdString(inSourceTree("resources/firmware/dmc60c-demo.hex")),
             QString::fromStdString(books->path("demo.hex")));
+        books->write("node.hex", ":060000000C942000FFCF6C\n:00000001FF\n");
         books->write("base_c.json", R"({"family":"dmc60c","parameters":{
 "slot1.d":{"raw":77},"current_limit.peak_duration":{"raw":120}}})");
         auto matter = loadRecipe(books->path("recipe.json"), rack.list());

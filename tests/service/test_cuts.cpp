@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of a queue of simulated DMC60C that is cut: its program, its wire, its units. In virtual time.
+// What becomes of a queue of simulated units that is cut: its program, its wire, its units. In virtual time.
+#include "model/unit.h"
 #include "queuebench.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
+#include <cstdlib>
 
 namespace mb::service {
 namespace {
@@ -194,6 +198,41 @@ TEST_F(CutUnits, AreNotUpdatedOnceMoreWhereTheyTellTheVersionOfTheImage)
         EXPECT_EQ(std::ranges::count_if(visits[0].steps,
                       [](const StepEntry &entry) { return entry.step == Step::Firmware && entry.ended; }),
             isOld ? 2 : 1);
+    }
+}
+
+/// Nothing that is installed is found; no programmer that hangs on this computer is touched.
+struct WithoutPrograms {
+    WithoutPrograms() { ::setenv("PATH", "/nowhere", 1); }
+    WithoutPrograms(const WithoutPrograms &) = delete;
+    WithoutPrograms &operator=(const WithoutPrograms &) = delete;
+    ~WithoutPrograms() { ::setenv("PATH", before.c_str(), 1); }
+    std::string before = qEnvironmentVariable("PATH").toStdString();
+};
+
+TEST_F(CutUnits, WhichAreMuteAreWrittenAgainOnlyWhereTheProgrammerCanHangOnNobodyElse)
+{
+    const WithoutPrograms none;
+    for (const bool isAlone : {false, true}) {
+        UnitRack rack({"supermodified:4", "supermodified:5"}, "sim:serial");
+        const RecipeMatter matter = load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified",
+"firmware":{"file":"node.hex","via":"avrdude:usbasp:usb"}})");
+        Visit cut;
+        cut.run = "of yesterday";
+        cut.family = "supermodified";
+        cut.device = "sim:serial/supermodified:4";
+        cut.step = Step::Firmware;
+        cut.simulated = true;
+        Identity identity;
+        identity.family = cut.family;
+        identity.address = 4;
+        cut.unit = unitKeyOf(identity, rack.link->line(), true);
+        ASSERT_TRUE(test::run(rack.clock, books->journal->open(cut)));
+        rack.putOn(isAlone ? std::nullopt : std::optional<std::size_t>(1));
+        QueueRun again(rack, *books, matter, options(cut.run, std::nullopt));
+        ASSERT_TRUE(again.run());
+        const std::string cause = books->visits()[0].cause.english();
+        EXPECT_EQ(cause == "it was cut off at 'firmware' and does not answer any more", !isAlone) << cause;
     }
 }
 

@@ -361,6 +361,21 @@ TEST_F(CutPlaces, GoOnUnderTheirNumberOnceItWasWritten)
     EXPECT_EQ(visits[0].number, 10);
 }
 
+TEST_F(CutPlaces, GoOnUnderANumberThatTheyHadBefore)
+{
+    UnitRack rack({"supermodified:4"}, "sim:serial");
+    const RecipeMatter matter
+        = load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":4}})");
+    const std::string name = cut(rack, matter, true);
+    QueueRun again(rack, *books, matter, units(1, name));
+    ASSERT_TRUE(again.run());
+    EXPECT_EQ(again.queue.rows().size(), 1U);
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_EQ(visits[0].number, 4);
+}
+
 /// A server of numbers that is silent until it is told to answer.
 class SilentNumbers final : public ServiceJournal {
 public:

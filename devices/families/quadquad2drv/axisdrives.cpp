@@ -133,15 +133,17 @@ void AxisDrives::enter(int axis, ControlMode mode, bool profiled)
     if (auto limit = m_settings.firstLimit(axis))
         orders.push_back(
             {std::move(*limit), [this, axis] { m_settings.accepted(indexOf(axis, AxisParameter::LimitPower)); }});
-    Bytes rest = setPower(maskOf(axis), 0);
+    OrderQueue::Order rest{setPower(maskOf(axis), 0)};
     if (mode == ControlMode::Velocity)
-        rest = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());
-    else if (mode == ControlMode::Position)
-        rest = setPositionTarget(maskOf(axis), *m_sense.place(axis));
-    orders.push_back({rest});
+        rest.request = setVelocityTarget(maskOf(axis), 0.0, m_settings.readings());
+    else if (mode == ControlMode::Position) // it may go on turning for as long as a stop before this is being proven
+        rest.late = [this, axis, before = *m_sense.place(axis)] {
+            return setPositionTarget(maskOf(axis), m_sense.place(axis).value_or(before));
+        };
+    orders.push_back(rest);
     orders.push_back({setControlMode(maskOf(axis), mode)});
     if (profiled) // any other target follows at once
-        orders.push_back({rest});
+        orders.push_back(rest);
     m_orders.enter(axis, std::move(orders));
     m_drives[static_cast<std::size_t>(axis)] = {mode, m_settings.readings().velocityTargetShifted};
 }

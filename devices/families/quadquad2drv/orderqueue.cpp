@@ -100,7 +100,7 @@ Task<void> OrderQueue::work()
 {
     while (std::optional<Order> next = m_stopping ? std::nullopt : take()) {
         const std::uint64_t stops = m_stops;
-        const Result<void> obeyed = co_await obey(std::move(next->request)).attempt();
+        const Result<void> obeyed = co_await obey(*next).attempt();
         if (obeyed && next->accepted)
             next->accepted();
         if (obeyed || stops != m_stops)
@@ -111,12 +111,13 @@ Task<void> OrderQueue::work()
     co_return {};
 }
 
-Task<void> OrderQueue::obey(Bytes order)
+Task<void> OrderQueue::obey(Order order)
 {
     PacketPort::Gate gate = [this, stops = m_stops] { return stops == m_stops; };
     if (!m_layout.tellsEverything())
         co_await m_layout.tellEverything();
-    co_await m_port.request(std::move(order), orderTries, std::move(gate));
+    Bytes request = order.late ? order.late() : std::move(order.request);
+    co_await m_port.request(std::move(request), orderTries, std::move(gate));
     co_return {};
 }
 

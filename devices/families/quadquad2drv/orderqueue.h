@@ -17,6 +17,7 @@ public:
     struct Order {
         Bytes request;
         std::function<void()> accepted{}; ///< called when the board has taken it
+        std::function<Bytes()> late{}; ///< makes the request when it is sent, where it depends on how things are then
     };
 
     /// Port and layout outlive it; `failed` stops the motors, because the board did not take an order.
@@ -46,7 +47,7 @@ private:
     [[nodiscard]] bool isWaiting() const;
     [[nodiscard]] std::optional<Order> take();
     [[nodiscard]] Task<void> work();
-    [[nodiscard]] Task<void> obey(Bytes order);
+    [[nodiscard]] Task<void> obey(Order order);
 
     PacketPort &m_port;
     BoardLayout &m_layout;
