@@ -18877,5 +18877,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>this place, not this unit: what is kept may be of another</source>
         <translation>dieser Platz, nicht dieses Gerät: Das Aufbewahrte kann von einem anderen sein</translation>
     </message>
+    <message>
+        <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
+        <translation>%1 antwortet, und ein Programmiergerät könnte sie nicht unterscheiden: alle anderen von der Leitung nehmen</translation>
+    </message>
 </context>
 </TS>

@@ -18877,5 +18877,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>this place, not this unit: what is kept may be of another</source>
         <translation>este sitio, no este equipo: lo guardado puede ser de otro</translation>
     </message>
+    <message>
+        <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
+        <translation>%1 responde, y un programador no podría distinguirlos: quite de la línea todos los demás</translation>
+    </message>
 </context>
 </TS>

@@ -18877,5 +18877,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>this place, not this unit: what is kept may be of another</source>
         <translation>cet emplacement, pas cet appareil : ce qui est conservé peut être d’un autre</translation>
     </message>
+    <message>
+        <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
+        <translation>%1 répond, et un programmateur ne saurait pas les distinguer : retirez tous les autres de la ligne</translation>
+    </message>
 </context>
 </TS>

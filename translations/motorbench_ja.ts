@@ -18860,5 +18860,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>this place, not this unit: what is kept may be of another</source>
         <translation>この機器ではなくこの場所の記録です：保存されているのは別の機器のものかもしれません</translation>
     </message>
+    <message>
+        <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
+        <translation>%1 が応答しており、書き込み装置では区別できません。ほかの機器をすべて回線から取り外してください</translation>
+    </message>
 </context>
 </TS>

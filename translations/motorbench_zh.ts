@@ -18860,5 +18860,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>this place, not this unit: what is kept may be of another</source>
         <translation>是此位置，而非此设备：所保存的可能属于另一台</translation>
     </message>
+    <message>
+        <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
+        <translation>%1 有应答，而编程器无法区分它们：请将其他设备全部从线路上取下</translation>
+    </message>
 </context>
 </TS>

@@ -79,7 +79,6 @@ public:
     /// update, a recording, and where what stops others of the family may start this one.
     [[nodiscard]] Result<void> mayStop() const override;
     [[nodiscard]] DeviceStop &stopping() { return m_stop; }
-    [[nodiscard]] const DeviceStop &stopping() const { return m_stop; }
     /// The same stop once more; telemetry that is younger than the first counts. Families that repeat a stop by themselves do
     /// nothing here.
     void repeatStop() override { doStop(); }

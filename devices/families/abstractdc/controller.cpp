@@ -228,7 +228,7 @@ Result<void> Controller::doMayStop() const
         return fail(Fault::Unsafe, say("it is not proven which codes it speaks, and a stop of others may start it"));
     if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("dialect LL has no code for stop"));
-    const bool isShared = !m_logs.isAddressedAlone() && !stopping().hasMoved(); // what moved by us is stopped first
+    const bool isShared = !m_logs.isAddressedAlone() && !m_ours; // what moves by us is stopped first
     if (m_logs.dialect()->wide && m_logs.reachesOldest() && isShared)
         return fail(Fault::Unsafe, say("a drive of dialect LL hears its stop, too, and would be started by it"));
     return {};
