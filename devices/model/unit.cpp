@@ -61,6 +61,11 @@ std::string_view unitSerialIn(std::string_view key)
     return unitByOf(key) == UnitBy::Serial ? name.substr(name.find(' ') + 1) : std::string_view();
 }
 
+std::string renumberedPlaceKey(std::string_view placeKey, int number)
+{
+    return std::string(placeKey.substr(0, placeKey.rfind(':') + 1)) + std::to_string(number);
+}
+
 std::string taggedUnitKey(std::string_view placeKey, std::string_view tag)
 {
     const std::string_view name = withoutMark(placeKey);

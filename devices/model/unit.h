@@ -24,6 +24,8 @@ enum class UnitBy { Serial, Tag, Place };
 [[nodiscard]] UnitBy unitByOf(std::string_view key);
 /// The serial number in such a key; empty in others.
 [[nodiscard]] std::string_view unitSerialIn(std::string_view key);
+/// The key of such a place with another number on the same line.
+[[nodiscard]] std::string renumberedPlaceKey(std::string_view placeKey, int number);
 /// The key of the unit that is called so and stands at this place, given by its key.
 [[nodiscard]] std::string taggedUnitKey(std::string_view placeKey, std::string_view tag);
 /// The tag in such a key; empty in others.

@@ -25,7 +25,7 @@ std::string linkOf(const Visit &visit)
 /// that was given another number there; one that was cut off before that goes on.
 bool goesOnHere(const Visit &visit)
 {
-    const bool isRenumbered = visit.number && !visit.unit.ends_with(':' + std::to_string(*visit.number));
+    const bool isRenumbered = visit.number && visit.unit != renumberedPlaceKey(visit.unit, *visit.number);
     const auto isGiven
         = [isRenumbered](const StepEntry &entry) { return isRenumbered && entry.step == Step::Number && entry.ended; };
     return unitByOf(visit.unit) != UnitBy::Place

@@ -237,10 +237,7 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     if (!renumbered)
         co_return fail(renumbered.error());
     if (log && unitByOf(unit) == UnitBy::Place) {
-        Identity there = device.identity();
-        there.address = number;
-        const std::string place = unitKeyOf(there, device.link().line(), device.link().address().isSimulated());
-        if (const auto moved = co_await log->moved(unit, place).attempt(); !moved)
+        if (const auto moved = co_await log->moved(unit, renumberedPlaceKey(unit, number)).attempt(); !moved)
             notKept(progress, moved.error());
     }
     co_return {};

@@ -63,7 +63,7 @@ std::string unitOf(Database &database, const service::Visit &visit)
 {
     const std::string &came = visit.unit;
     const bool moved = visit.number && unitByOf(came) == UnitBy::Place;
-    return resolvedUnit(database, moved ? came.substr(0, came.rfind(':') + 1) + std::to_string(*visit.number) : came);
+    return resolvedUnit(database, moved ? renumberedPlaceKey(came, *visit.number) : came);
 }
 
 /// Until one, if that is named: what came after it is no matter of its report. On a place another unit may have come each time.

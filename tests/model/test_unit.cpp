@@ -65,6 +65,16 @@ TEST(UnitKeys, OfADeviceAreThoseOfTheLineThatItWasFoundOnWhateverHasItsNameNow)
     EXPECT_EQ(looks, before) << "the hardware is not asked";
 }
 
+TEST(UnitKeys, OfAPlaceHasAnotherNumberOnTheSameLine)
+{
+    Identity node;
+    node.family = "supermodified";
+    node.address = 4;
+    const std::string before = unitKeyOf(node, "usb-1.2", false);
+    node.address = 10;
+    EXPECT_EQ(renumberedPlaceKey(before, 10), unitKeyOf(node, "usb-1.2", false));
+}
+
 TEST(UnitKeys, WithATagAreThatOfTheUnitAndNotOfItsPlace)
 {
     const std::string key = taggedUnitKey(keyOn("serial:/dev/null"), "left arm");

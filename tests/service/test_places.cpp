@@ -306,6 +306,19 @@ protected:
             1min));
         return run.queue.run();
     }
+    /// Goes on with what was cut: one visit, which passes with this number.
+    Visit goOn(UnitRack &rack, const RecipeMatter &matter, const std::string &name, int number)
+    {
+        QueueRun again(rack, *books, matter, units(1, name));
+        EXPECT_TRUE(again.run());
+        EXPECT_EQ(again.queue.rows().size(), 1U);
+        const auto visits = books->visits();
+        EXPECT_EQ(visits.size(), 1U);
+        const Visit visit = visits.empty() ? Visit() : visits.front();
+        EXPECT_EQ(visit.outcome, Outcome::Passed) << visit.cause.english();
+        EXPECT_EQ(visit.number, number);
+        return visit;
+    }
     static int timesEnded(const Visit &visit, Step step)
     {
         return static_cast<int>(std::count_if(visit.steps.begin(), visit.steps.end(),
@@ -320,13 +333,8 @@ TEST_F(CutPlaces, GoOnWithTheirNumberAndAllElseIsDoneAgain)
     const RecipeMatter matter = load(rack, nodeRecipe);
     const std::string name = cut(rack, matter);
     exchangeFor(rack, 1);
-    QueueRun again(rack, *books, matter, units(1, name));
-    ASSERT_TRUE(again.run());
-    const auto visits = books->visits();
-    ASSERT_EQ(visits.size(), 1U);
-    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
-    EXPECT_EQ(visits[0].number, 10);
-    EXPECT_EQ(timesEnded(visits[0], Step::Backup), 2) << "the backup of the unit that is there now";
+    const Visit visit = goOn(rack, matter, name, 10);
+    EXPECT_EQ(timesEnded(visit, Step::Backup), 2) << "the backup of the unit that is there now";
 }
 
 TEST_F(CutPlaces, GiveNoNumberTwiceOnceItWasWritten)
@@ -353,12 +361,7 @@ TEST_F(CutPlaces, GoOnUnderTheirNumberOnceItWasWritten)
     const RecipeMatter matter = load(rack, nodeRecipe);
     const std::string name = cut(rack, matter, true);
     exchangeFor(rack, 0); // under its number now
-    QueueRun again(rack, *books, matter, units(1, name));
-    ASSERT_TRUE(again.run());
-    const auto visits = books->visits();
-    ASSERT_EQ(visits.size(), 1U);
-    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
-    EXPECT_EQ(visits[0].number, 10);
+    goOn(rack, matter, name, 10);
 }
 
 TEST_F(CutPlaces, GoOnUnderANumberThatTheyHadBefore)
@@ -367,13 +370,7 @@ TEST_F(CutPlaces, GoOnUnderANumberThatTheyHadBefore)
     const RecipeMatter matter
         = load(rack, R"({"recipe":1,"name":"nodes","family":"supermodified","number":{"first":4}})");
     const std::string name = cut(rack, matter, true);
-    QueueRun again(rack, *books, matter, units(1, name));
-    ASSERT_TRUE(again.run());
-    EXPECT_EQ(again.queue.rows().size(), 1U);
-    const auto visits = books->visits();
-    ASSERT_EQ(visits.size(), 1U);
-    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
-    EXPECT_EQ(visits[0].number, 4);
+    goOn(rack, matter, name, 4);
 }
 
 /// A server of numbers that is silent until it is told to answer.
