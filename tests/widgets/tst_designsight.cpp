@@ -189,14 +189,7 @@ void TestDesignSight::theArmedPageSaysDutySpeedAndTravelBeforeAnythingIsOrdered(
 void TestDesignSight::ofABoardTheAxisThatWasSelectedLastIsTunedAndNamed()
 {
     DesignBench bench;
-    DeviceView board;
-    board.id = {2};
-    board.family = findFamily(families(), "quadquad2drv");
-    board.link = board.unit = "sim:spi";
-    board.liveness.heard = true;
-    board.telemetry = std::make_shared<Telemetry>(board.family->channels);
-    board.parameters.edit().resize(board.family->parameters.size());
-    bench.workbench.shot.devices.push_back(board);
+    bench.workbench.shot.devices.push_back(boardAt("sim:spi"));
     bench.selection.select({2}, 3);
     bench.selection.select({1});
     bench.selection.select({2}); // as on the page Tune

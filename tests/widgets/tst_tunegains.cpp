@@ -17,14 +17,7 @@ namespace {
 struct BoardBench : TrialBench {
     BoardBench()
     {
-        DeviceView board;
-        board.id = {2};
-        board.family = findFamily(families(), "quadquad2drv");
-        board.link = board.unit = "sim:can";
-        board.liveness.heard = true;
-        board.telemetry = std::make_shared<Telemetry>(board.family->channels);
-        board.parameters.edit().resize(board.family->parameters.size());
-        workbench.shot.devices.push_back(board);
+        workbench.shot.devices.push_back(boardAt("sim:can"));
         look(1);
         arming.arm({2});
         workbench.publish();

@@ -14,6 +14,19 @@
 
 namespace mb::test {
 
+/// A board with four axes, heard, at this place.
+inline DeviceView boardAt(const char *place)
+{
+    DeviceView board;
+    board.id = {2};
+    board.family = findFamily(families(), "quadquad2drv");
+    board.link = board.unit = place;
+    board.liveness.heard = true;
+    board.telemetry = std::make_shared<Telemetry>(board.family->channels);
+    board.parameters.edit().resize(board.family->parameters.size());
+    return board;
+}
+
 /// What a drive records of a velocity step: 100 Hz encoder and output, 50 Hz current.
 class Recording {
 public:
