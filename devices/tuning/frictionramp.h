@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/task.h"
 #include "tuning/identification.h"
 
 namespace mb::tuning {

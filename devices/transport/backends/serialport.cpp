@@ -7,6 +7,7 @@
 
 #include <QSerialPort>
 #include <QThread>
+#include <QVariant>
 
 #include <cerrno>
 #include <cstdlib>
