@@ -147,9 +147,11 @@ void SpiLink::watchReady(Duration period)
 
 void SpiLink::poll(Duration period)
 {
-    if (doSignalsReady() || period <= Duration::zero() || state() != LinkState::Open)
+    if (doSignalsReady() || period <= Duration::zero())
         return;
     m_poll.startIn(period, [this] {
+        if (state() != LinkState::Open)
+            return;
         doSampleReady();
         poll(m_waiters > 0 ? pollWhileWaiting : m_watchPeriod);
     });

@@ -280,6 +280,8 @@ TEST_F(SocketCan, ErrorFramesArriveAndBusOffLosesTheLink)
     ASSERT_TRUE(loop.runUntil([&errors] { return errors.size() == 1; }));
     EXPECT_EQ(errors[0].id, CAN_ERR_CRTL);
     EXPECT_EQ(link->state(), LinkState::Open);
+    link->recount();
+    EXPECT_EQ(link->health().state, BusState::Passive) << "a virtual interface knows of none";
     peer.send(CAN_ERR_FLAG | CAN_ERR_BUSOFF, {0, 0, 0, 0, 0, 0, 0, 0});
     ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
     EXPECT_EQ(link->loss().message().english().substr(0, 15), "bus-off: vcan0 ");

@@ -122,9 +122,13 @@ void QtCanBus::closeAndOpenAgain()
         EXPECT_EQ(heard[i].data[0], 2 * i);
     }
     EXPECT_EQ(near->backlog(), 0U);
+    near->close();
+    ASSERT_TRUE(near->open());
     ASSERT_TRUE(near->send(standardFrame(3, std::vector<std::uint8_t>{})));
+    EXPECT_EQ(near->backlog(), 1U);
     near->close();
     EXPECT_EQ(near->backlog(), 0U);
+    EXPECT_EQ(loop.clock().armed(), 0U) << "nothing is tried again";
 }
 
 // One test: the plugin's server lives as long as the process, and the event loop that serves it only as long as a test.

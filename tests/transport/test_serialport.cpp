@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/descriptor.h"
+#include "async/scope.h"
 #include "async/virtualclock.h"
 #include "support/eventloop.h"
+#include "support/heldbackground.h"
 #include "support/pseudoterminal.h"
 #include "transport/backends/echofilter.h"
 #include "transport/backends/ptyline.h"
@@ -16,8 +18,12 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <linux/serial.h>
+#include <termios.h>
 
 using namespace mb;
 using namespace mb::test;
@@ -88,6 +94,56 @@ TEST_F(SerialPort, TakesAnyRateAndTellsTheOneThatTheAddressFixes)
         EXPECT_EQ(driverBaudrate(terminal.descriptor()), rate);
         EXPECT_EQ(link->baudrate(), rate);
     }
+}
+
+TEST_F(SerialPort, HasTheFormatThatItsAddressNames)
+{
+    // A pseudo terminal keeps stop bits and the kind of parity, but not whether there is any.
+    for (const auto &[format, kept] : std::initializer_list<std::pair<std::string, tcflag_t>>{
+             {"8N2", CSTOPB}, {"8N1", 0}, {"8O1", PARODD}, {"8E1", 0}}) {
+        const auto link = open("?format=" + format);
+        termios settings{};
+        ASSERT_EQ(::tcgetattr(terminal.descriptor(), &settings), 0);
+        EXPECT_EQ(settings.c_cflag & (CSTOPB | PARODD), kept) << format;
+    }
+}
+
+TEST_F(SerialPort, OpensAndChangesItsRateInTheBackgroundAndIsLostWhenItsDriverTakesTooLong)
+{
+    VirtualClock clock;
+    HeldBackground background;
+    auto made = makeSerialPortLink(LinkAddress::parse("serial:" + terminal.path()).value(), clock);
+    ASSERT_TRUE(made);
+    auto &link = static_cast<SerialLink &>(**made);
+    link.settings().background = &background;
+    Scope scope(clock);
+    std::optional<Result<void>> ended;
+    const auto begin = [&](Task<void> task) {
+        ended.reset();
+        scope.spawn<void>(std::move(task), [&ended](const Result<void> &result) { ended = result; });
+        clock.advance(Link::openLimit - 1ms);
+        EXPECT_FALSE(ended);
+    };
+    const auto finish = [&] {
+        background.release();
+        clock.advance(1us);
+        return ended && *ended;
+    };
+    begin(link.openSoon());
+    ASSERT_TRUE(finish());
+    ASSERT_TRUE(link.send(Bytes{1, 2}));
+    EXPECT_EQ(terminal.read(), (Bytes{1, 2}));
+    begin(link.setBaudrateSoon(9600));
+    ASSERT_TRUE(finish());
+    EXPECT_EQ(driverBaudrate(terminal.descriptor()), 9600);
+    EXPECT_EQ(link.baudrate(), 9600);
+    begin(link.setBaudrateSoon(57600));
+    clock.advance(1ms);
+    ASSERT_TRUE(ended && !*ended);
+    EXPECT_EQ(link.state(), LinkState::Lost);
+    EXPECT_NE(link.loss().text().find("its driver has not answered for 5 s"), std::string::npos) << link.loss().text();
+    background.release();
+    EXPECT_EQ(driverBaudrate(terminal.descriptor()), 9600) << "too late";
 }
 
 TEST_F(SerialPort, LeavesItsRateBehindSoThatWhatIsSentLastGoesOutAtIt)

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The descriptor half of SocketCanLink over a SOCK_SEQPACKET pair, where sanitizers run and no CAN is needed.
 #include "support/eventloop.h"
+#include "transport/backends/cansocket.h"
 #include "transport/backends/socketcan.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <thread>
 #include <vector>
 
 #include <linux/can.h>
 #include <linux/can/error.h>
+#include <linux/capability.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 using namespace mb;
@@ -280,13 +285,14 @@ TEST_F(SocketCanPair, ErrorFramesAreTheirOwnKindAndOverrunsCountAsLost)
 {
     put(CAN_ERR_FLAG | CAN_ERR_CRTL, {0, CAN_ERR_CRTL_RX_OVERFLOW, 0, 0, 0, 0, 0, 0});
     put(CAN_ERR_FLAG | CAN_ERR_ACK, {0, 0, 0, 0, 0, 0, 0, 0});
-    ASSERT_TRUE(loop.runUntil([this] { return errors.size() == 2; }));
+    put(CAN_ERR_FLAG | CAN_ERR_PROT, {0, CAN_ERR_CRTL_RX_OVERFLOW, 0, 0, 0, 0, 0, 0}); // says nothing in this class
+    ASSERT_TRUE(loop.runUntil([this] { return errors.size() == 3; }));
     EXPECT_TRUE(frames.empty());
     EXPECT_TRUE(errors[0].error);
     EXPECT_EQ(errors[0].id, CAN_ERR_CRTL);
     EXPECT_EQ(errors[0].data[1], CAN_ERR_CRTL_RX_OVERFLOW);
     EXPECT_EQ(errors[1].id, CAN_ERR_ACK);
-    EXPECT_EQ(link->counters().errors, 2U);
+    EXPECT_EQ(link->counters().errors, 3U);
     EXPECT_EQ(link->counters().lost, 1U);
     EXPECT_EQ(link->state(), LinkState::Open);
 }
@@ -409,7 +415,35 @@ TEST_F(SocketCanPair, ClosingLeavesNoTimerAndNoFrameThatTheNextOpeningWouldSend)
     EXPECT_EQ(loop.clock().armed(), 0U);
 }
 
+TEST_F(SocketCanPair, CatchingUpDeliversWhatWaitsUnread)
+{
+    for (std::uint32_t i = 0; i < 200; ++i)
+        put(i);
+    EXPECT_TRUE(frames.empty()) << "no event loop ran";
+    link->catchUp();
+    EXPECT_EQ(frames.size(), 200U);
+    link->close();
+    link->catchUp();
+    EXPECT_EQ(frames.size(), 200U);
+}
+
 TEST_F(SocketCanPair, TellsHowManyFramesTheKernelKeeps)
 {
     EXPECT_GE(link->receiveBufferFrames(), 64);
+}
+
+TEST_F(SocketCanPair, WhoMayNotForceTheReceiveBufferGetsTheLargestThatEveryUserMayHave)
+{
+    int usual = 0;
+    socklen_t size = sizeof usual;
+    ASSERT_EQ(::getsockopt(other, SOL_SOCKET, SO_RCVBUF, &usual, &size), 0);
+    int given = 0;
+    std::thread([&given, this] { // without rights, which each thread has for itself
+        __user_cap_header_struct head{_LINUX_CAPABILITY_VERSION_3, 0};
+        const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
+        EXPECT_EQ(::syscall(SYS_capset, &head, none.data()), 0);
+        given = prepareCanSocket(other);
+    })
+        .join();
+    EXPECT_GT(given, usual);
 }

@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <thread>
 
 #include <sys/socket.h>
@@ -135,6 +137,74 @@ TEST_F(UnixSpi, ALinkWhoseAnswersItsGuardianHasReadIsLostAndWorksOnceItIsOpenAga
         ASSERT_TRUE(loop.runUntil([&] { return again.isFinished(); }));
         ASSERT_TRUE(again.result());
         EXPECT_EQ(*again.result(), Bytes{answer});
+    }
+}
+
+TEST_F(UnixSpi, AResetIsSentAsideTooAndNoHalfMessage)
+{
+    const auto aside = link.outlet().aside;
+    EXPECT_FALSE(aside(Bytes{0xFF}));
+    EXPECT_TRUE(aside(Bytes{0xFF, 0xFF}));
+    Task<Bytes> after = transferOn(link, {0x01});
+    after.start();
+    ASSERT_TRUE(loop.runUntil([&] { return after.isFinished(); }));
+    EXPECT_EQ(board.resets, 1);
+    EXPECT_EQ(*after.result(), Bytes{0xFE});
+}
+
+TEST_F(UnixSpi, WhoWatchedTheReadyLineAsksNothingOfALinkThatIsClosed)
+{
+    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
+    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
+    VirtualClock clock;
+    UnixSpiLink watched{quiet, clock};
+    ASSERT_TRUE(watched.open());
+    watched.watchReady(std::chrono::milliseconds(5));
+    watched.close();
+    clock.advance(std::chrono::milliseconds(10));
+    ASSERT_TRUE(watched.open());
+    EXPECT_TRUE(watched.outlet().aside(Bytes{1, 0, 0xAA})) << "nothing is in the way of a stop";
+}
+
+TEST_F(UnixSpi, ClosingWhatASimulatorLeftUnreadLeavesNothingThatWouldEndTheNextOpening)
+{
+    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
+    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
+    VirtualClock clock;
+    UnixSpiLink held{quiet, clock};
+    ASSERT_TRUE(held.open());
+    {
+        const Descriptor simulator(::accept(listening.get(), nullptr, nullptr));
+        while (held.outlet().aside(Bytes(50'000))) { } // until no more fits the socket
+        ASSERT_TRUE(held.pulseReset());
+    }
+    held.close();
+    EXPECT_EQ(clock.armed(), 0U);
+}
+
+TEST(UnixSocket, WhatHasComeIsTakenAndOnlyItsEndIsAnEnd)
+{
+    for (const bool unread : {false, true}) { // what the one who goes has not read breaks the socket
+        std::array<int, 2> ends{-1, -1};
+        ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()), 0);
+        const Descriptor own(ends[0]);
+        Bytes in;
+        {
+            const Descriptor other(ends[1]);
+            EXPECT_TRUE(receiveFrom(own.get(), in)) << "nothing has come, or another has read it";
+            EXPECT_EQ(in, Bytes{});
+            for (const std::uint8_t byte : Bytes{1, 2}) {
+                ASSERT_EQ(::send(other.get(), &byte, 1, 0), 1);
+                errno = EAGAIN; // of some call before
+                EXPECT_TRUE(receiveFrom(own.get(), in));
+            }
+            EXPECT_EQ(in, (Bytes{1, 2}));
+            if (unread) {
+                ASSERT_EQ(::send(own.get(), "x", 1, 0), 1);
+            }
+        }
+        EXPECT_FALSE(receiveFrom(own.get(), in)) << unread;
+        EXPECT_EQ(in, (Bytes{1, 2}));
     }
 }
 

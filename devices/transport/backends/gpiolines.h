@@ -25,7 +25,7 @@ struct GpioLineListing {
 /// Lines of all chips that this user may open, by chip and number. Opens chips, requests no line.
 [[nodiscard]] std::vector<GpioLineListing> gpioLines();
 
-/// One GPIO line, named CHIP:LINE as in `gpiochip0:25`, through libgpiod 1.6. Compile-tested only: no machine of ours has one.
+/// One GPIO line, named CHIP:LINE as in `gpiochip0:25`, through libgpiod 1.6. Tested on lines that a test plays: no machine of ours has one.
 class GpioLine : NonCopyable {
 public:
     GpioLine();

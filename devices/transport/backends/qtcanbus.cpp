@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 /// They print what they return, too; that is nobody's business.
 QCanBus &plugins()
 {
-    QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus.*=false"));
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus*=false"));
     return *QCanBus::instance();
 }
 

@@ -4,6 +4,7 @@
 #include "async/background.h"
 #include "async/descriptor.h"
 #include "transport/backends/cansocket.h"
+#include "wire/canerror.h"
 
 #include <QSocketNotifier>
 
@@ -13,7 +14,6 @@
 #include <cstring>
 
 #include <linux/can.h>
-#include <linux/can/error.h>
 #include <linux/errqueue.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -318,12 +318,13 @@ void SocketCanLink::takeBatch(unsigned count)
 void SocketCanLink::take(const can_frame &raw, Instant time)
 {
     const CanFrame frame = frameOf(raw, time);
-    if (frame.error && (frame.id & CAN_ERR_CRTL) != 0U && (frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0U) {
+    const CanErrorReport report = frame.error ? decodeError(frame) : CanErrorReport{};
+    if (report.overrun) {
         ++m_overruns; // at least one frame
         countInterface();
     }
     deliver(frame);
-    if (frame.error && (frame.id & CAN_ERR_BUSOFF) != 0U)
+    if (report.state == BusState::BusOff)
         end({Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", address().path),
             say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
 }

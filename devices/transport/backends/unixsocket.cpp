@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/unixsocket.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <optional>
@@ -115,6 +116,16 @@ Result<int> listenOnUnixSocket(const std::string &path)
         return lost(error, path);
     }
     return descriptor;
+}
+
+bool receiveFrom(int descriptor, std::vector<std::uint8_t> &in)
+{
+    std::array<std::uint8_t, 4096> chunk{};
+    const auto got = ::recv(descriptor, chunk.data(), chunk.size(), MSG_DONTWAIT);
+    if (got <= 0)
+        return got < 0 && (errno == EAGAIN || errno == EINTR);
+    in.insert(in.end(), chunk.begin(), chunk.begin() + got);
+    return true;
 }
 
 } // namespace mb

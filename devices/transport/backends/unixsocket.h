@@ -3,7 +3,9 @@
 
 #include "async/result.h"
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace mb {
 
@@ -12,6 +14,8 @@ namespace mb {
 /// A listening, non-blocking stream socket. Replaces a socket that nobody serves any more; LinkLost when somebody does, or
 /// when the path is something else.
 [[nodiscard]] Result<int> listenOnUnixSocket(const std::string &path);
+/// Puts what has come at the end of `in`; false when the other end has gone. Nothing is no end: who shares the socket may have read it.
+[[nodiscard]] bool receiveFrom(int descriptor, std::vector<std::uint8_t> &in);
 /// What a client is told by a full backlog, or by a server that hangs up on it before any answer.
 [[nodiscard]] Error busySocket(const std::string &path);
 

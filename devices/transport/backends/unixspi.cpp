@@ -69,8 +69,6 @@ Result<void> UnixSpiLink::doOpen()
 
 void UnixSpiLink::doClose()
 {
-    m_failed.stop();
-    m_look.stop();
     m_readable.reset();
     m_writable.reset();
     if (m_descriptor >= 0) {
@@ -81,6 +79,8 @@ void UnixSpiLink::doClose()
         m_wire->pending.clear();
         ::close(std::exchange(m_descriptor, -1));
     }
+    m_failed.stop();
+    m_look.stop();
     m_in.clear();
     dropTransfers();
 }
@@ -170,7 +170,7 @@ void UnixSpiLink::flush()
 {
     const std::lock_guard lock(m_wire->mutex);
     Bytes &out = m_wire->out;
-    while (!out.empty() && m_descriptor >= 0) {
+    while (!out.empty()) {
         const auto sent = ::send(m_descriptor, out.data(), out.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent <= 0) {
             if (sent < 0 && errno != EAGAIN && errno != EINTR)
@@ -185,16 +185,11 @@ void UnixSpiLink::flush()
 
 void UnixSpiLink::receive()
 {
-    std::array<std::uint8_t, 4096> chunk{};
-    const auto got = ::recv(m_descriptor, chunk.data(), chunk.size(), MSG_DONTWAIT);
-    if (got < 0 && (errno == EAGAIN || errno == EINTR))
-        return;
-    if (got <= 0) {
+    if (!receiveFrom(m_descriptor, m_in)) {
         endOfSimulator();
         return;
     }
-    m_isServed = true;
-    m_in.insert(m_in.end(), chunk.begin(), chunk.begin() + got);
+    m_isServed = m_isServed || !m_in.empty();
     takeAnswers();
 }
 

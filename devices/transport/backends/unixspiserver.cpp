@@ -6,9 +6,6 @@
 
 #include <QSocketNotifier>
 
-#include <array>
-#include <cerrno>
-
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -101,17 +98,12 @@ void UnixSpiServer::hangUp()
 
 void UnixSpiServer::receive()
 {
-    std::array<std::uint8_t, 4096> chunk{};
-    const auto got = ::recv(m_client, chunk.data(), chunk.size(), MSG_DONTWAIT);
-    if (got < 0 && (errno == EAGAIN || errno == EINTR))
-        return;
-    if (got <= 0) {
-        m_readable->setEnabled(false);
-        m_gone.startIn(Duration::zero(), [this] { hangUp(); });
+    if (receiveFrom(m_client, m_in)) {
+        serve();
         return;
     }
-    m_in.insert(m_in.end(), chunk.begin(), chunk.begin() + got);
-    serve();
+    m_readable->setEnabled(false);
+    m_gone.startIn(Duration::zero(), [this] { hangUp(); });
 }
 
 void UnixSpiServer::serve()
