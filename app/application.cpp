@@ -265,6 +265,8 @@ void Application::followLook()
     const bool produces = m_window->production().isShown();
     const QByteArray geometry = m_window->saveGeometry();
     const QString help = m_window->help().shown();
+    if (auto *plots = m_window->findChild<PlotsPage *>())
+        plots->layoutBook().finish(); // the next one begins with them
     translate(m_settings.look().language);
     dress(m_settings.look());
     QApplication::setQuitOnLastWindowClosed(false);

@@ -63,8 +63,10 @@ void KeyDesk::nameTabs()
 {
     auto *tabs = m_window.findChild<PageTabs *>();
     for (int i = 0; i < tabs->count(); ++i)
-        tabs->setHint(
-            i, tr("%1  %2", "page, key").arg(tabs->tabText(i), keyShown(*tabs, QStringLiteral("Ctrl+%1").arg(i + 1))));
+        tabs->setHint(i,
+            tr("%1  %2", "page, key")
+                .arg(tabs->tabText(i), keyShown(*tabs, QStringLiteral("Ctrl+%1").arg(i + 1)))
+                .trimmed());
 }
 
 } // namespace mb

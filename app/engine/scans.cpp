@@ -35,6 +35,16 @@ Link *Scans::linkUnder(const std::string &address) const
     return parsed ? m_context.session.linkBook().find(*parsed) : nullptr;
 }
 
+Result<Link *> Scans::freeLink(const std::string &address) const
+{
+    Link *const link = linkUnder(address);
+    if (!link)
+        return fail(Fault::LinkLost, say("the link is not open"));
+    if (isTaken(*link))
+        return fail(Fault::Unsafe, takenHere(), say("wait until it is done"));
+    return link;
+}
+
 /// A question would reach a unit between two pages of its firmware.
 bool Scans::isTaken(const Link &link) const
 {
@@ -148,14 +158,30 @@ void Scans::carryOut(const orders::ScanLinks &, const Finished &finished)
 
 void Scans::carryOut(const orders::ScanEverything &order, const Finished &finished)
 {
-    Link *const link = linkUnder(order.link);
+    const auto link = freeLink(order.link);
     if (!link)
-        return finished(fail(Fault::LinkLost, say("the link is not open")));
-    if (isTaken(*link))
-        return finished(fail(Fault::Unsafe, takenHere(), say("wait until it is done")));
-    end(m_rounds[link]);
-    scan(*link, ScanExtent::Everything);
+        return finished(fail(link.error()));
+    end(m_rounds[*link]);
+    scan(**link, ScanExtent::Everything);
     finished({});
+}
+
+void Scans::carryOut(const orders::FindMute &order, const std::function<void(Result<DeviceId>)> &finished)
+{
+    const auto link = freeLink(order.link);
+    if (!link)
+        return finished(fail(link.error()));
+    Round &round = m_rounds[*link];
+    end(round);
+    round.running = true;
+    round.isAsked = true;
+    round.task = std::make_unique<Scope>(m_context.clock);
+    round.task->spawn<Device *>(
+        m_context.session.connect({(*link)->address(), order.family, order.address, std::nullopt}, true),
+        [this, &round, finished](const Result<Device *> &unit) {
+            end(round);
+            finished(unit ? Result<DeviceId>(m_context.session.idOf(**unit)) : fail(unit.error()));
+        });
 }
 
 void Scans::carryOut(const orders::CancelScan &order, const Finished &finished)

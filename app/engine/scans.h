@@ -4,6 +4,7 @@
 #include "app/engine/recordings.h"
 #include "widgets/orders/linkorders.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -30,6 +31,7 @@ public:
     void carryOut(const orders::ScanLinks &order, const Finished &finished);
     void carryOut(const orders::ScanEverything &order, const Finished &finished);
     void carryOut(const orders::CancelScan &order, const Finished &finished);
+    void carryOut(const orders::FindMute &order, const std::function<void(Result<DeviceId>)> &finished);
 
 private:
     struct Round {
@@ -47,6 +49,7 @@ private:
     [[nodiscard]] bool isQuiet() const;
     [[nodiscard]] bool isTaken(const Link &link) const;
     [[nodiscard]] Link *linkUnder(const std::string &address) const;
+    [[nodiscard]] Result<Link *> freeLink(const std::string &address) const;
 
     EngineContext m_context;
     Recordings &m_recordings;

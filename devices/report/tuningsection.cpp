@@ -223,8 +223,10 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
     words << ReportText::tr("firmware %1").arg(report.firmware.empty() ? figure(std::nullopt) : qt(report.firmware))
           << figure(report.seconds, 3, QStringLiteral("s"));
     QStringList numbers;
-    for (const std::int64_t number : report.trials)
-        numbers << QString::number(number);
+    for (const std::int64_t number : report.trials) {
+        const bool isKept = std::ranges::find(unit.history, number, &KeptTrial::number) != unit.history.end();
+        numbers << (isKept ? QStringLiteral("%1") : ReportText::tr("%1 (forgotten)")).arg(number);
+    }
     if (!numbers.isEmpty())
         words << ReportText::tr("trials %1").arg(numbers.join(QStringLiteral(", ")));
     html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");

@@ -164,7 +164,10 @@ Result<std::vector<ReportUnit>> reportUnits(
     if (!asked.empty())
         units.push_back(unitFrom(asked, {}, families));
     for (const std::int64_t number : wish.trials) {
-        MB_TRY(const auto kept, book.find(number));
+        auto found = book.find(number);
+        if (!found && wish.tuningsOnly)
+            continue; // was forgotten: a tuning says so
+        MB_TRY(const auto kept, std::move(found));
         if (!asked.empty() && kept.trial.unit != asked)
             continue;
         const auto same = [&](const ReportUnit &unit) { return unit.unit == kept.trial.unit; };

@@ -72,6 +72,11 @@ template <> orders::CancelScan example(const Place &place)
     return {place.link};
 }
 
+template <> orders::FindMute example(const Place &place)
+{
+    return {place.link, std::string(place.family.key), 60};
+}
+
 template <> orders::SendFrame example(const Place &place)
 {
     return {place.link, {}};

@@ -176,5 +176,34 @@ TEST_F(SilentBoard, ABoardThatWaitsInItsBootloaderIsInTheListThoughItIsSilent)
     EXPECT_FALSE(device()->mayMove());
 }
 
+TEST(MuteUnits, AreInTheListForTheirFirmwareWhereNoOtherOfTheirFamilyAnswers)
+{
+    VirtualClock clock;
+    EngineCore core(clock, families(), false);
+    const auto find = [&clock, &core](int number) {
+        test::Heard<DeviceId> found;
+        core.send(orders::FindMute{"sim:serial", "supermodified", number}, found.finished());
+        EXPECT_TRUE(clock.runUntil([&found] { return found.has_value(); }, 2min));
+        return found.value_or(fail(Fault::Cancelled));
+    };
+    EXPECT_EQ(find(9).error().fault, Fault::LinkLost);
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:serial")});
+    clock.advance(10s);
+    EXPECT_EQ(find(9).error().fault, Fault::Timeout) << "the programmer may hang on another";
+    for (Simulator *const node : core.session().bench(*core.session().links().front())->simulators())
+        node->setPowered(false);
+    const auto mute = find(9);
+    ASSERT_TRUE(mute) << mute.error().text();
+    const Snapshot shot = core.snapshot();
+    ASSERT_NE(shot.device(*mute), nullptr);
+    EXPECT_EQ(shot.device(*mute)->identity->address, 9);
+    EXPECT_EQ(shot.device(*mute)->identity->state, DeviceState::Bootloader);
+    EXPECT_FALSE(shot.links.front().scanning);
+    test::Heard<> begun;
+    core.send(orders::UpdateFirmware{*mute, std::make_shared<FirmwareImage>(), {}}, begun.finished());
+    ASSERT_TRUE(clock.runUntil([&begun] { return begun.has_value(); }, 2min));
+    EXPECT_EQ(core.snapshot().operations.back().device, *mute) << "it was taken, with an image that holds nothing";
+}
+
 } // namespace
 } // namespace mb

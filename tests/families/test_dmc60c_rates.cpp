@@ -97,6 +97,14 @@ TEST_F(Dmc60cRates, GoBackToWhatSomebodyHasWrittenMeanwhile)
     EXPECT_EQ(unit.count(slower), 0);
 }
 
+TEST_F(Dmc60cRates, StayWhatTheyWereRaisedToWhereSomebodyHasWrittenThatMeanwhile)
+{
+    unit.answer("02061805#34125C", {{"02061845#5C0A00000000"}});
+    ASSERT_TRUE(run(device->write(index("status.encoder.period"), 10)));
+    ASSERT_TRUE(run(device->setRate(channel("velocity"), 0.0)));
+    EXPECT_EQ(unit.count(slower), 0);
+}
+
 TEST_F(Dmc60cRates, GoBackToWhatAnotherProgramHasWrittenMeanwhile)
 {
     unit.answer("02061885#34125C32000000", {{"02061845#5C3200000000"}});

@@ -228,7 +228,7 @@ inline ReportUnit drive()
     unit.sines = {sineTrial(16, 2.0), sineTrial(17, 0.5), sineTrial(18, 24.0)};
     for (int number = 0; number < 3; ++number) {
         unit.history.push_back(number % 2 == 0 ? stepTrial() : rampTrial());
-        unit.history.back().number = number;
+        unit.history.back().number = 11 + number; // 10 was forgotten
     }
     unit.visits = visits();
     std::size_t place = 0;

@@ -107,6 +107,16 @@ TEST_F(Reports, ATrialOfATuningBringsTheTuningWithTheSignalsOfItsProof)
     }
 }
 
+TEST_F(Reports, ATuningIsReportedThoughATrialOfItWasForgotten)
+{
+    ASSERT_TRUE(book->remove(2));
+    const auto units = of({{1, 2}, "simulated dmc60c SN7", true});
+    ASSERT_EQ(units.size(), 1U);
+    ASSERT_EQ(units[0].tunings.size(), 1U);
+    EXPECT_TRUE(units[0].tunings[0].report.proof.empty());
+    EXPECT_EQ(numbersOf(units[0].history), (std::vector<std::int64_t>{1, 3, 4}));
+}
+
 TEST_F(Reports, TheNewestSinesOfAUnitAreItsFrequencyResponse)
 {
     const auto sine

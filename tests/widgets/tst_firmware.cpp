@@ -8,7 +8,9 @@
 
 #include <QCheckBox>
 #include <QFile>
+#include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 
 using namespace mb;
@@ -32,6 +34,7 @@ private Q_SLOTS:
     void whatWasWrittenAndNotProvedIsNotCalledVerified();
     void anImageThatWasBuiltAnewIsReadAgainBeforeItIsWritten();
     void erasingIsChosenForOneUpdateOfOneUnit();
+    void aUnitThatDoesNotAnswerIsNamedByItsLinkAndNumber();
 };
 
 namespace {
@@ -345,6 +348,41 @@ void FirmwareTest::erasingIsChosenForOneUpdateOfOneUnit()
     QCOMPARE(sent.size(), 1U);
     QVERIFY(sent.front().options.eraseSettings);
     QVERIFY(!erase->isChecked());
+}
+
+void FirmwareTest::aUnitThatDoesNotAnswerIsNamedByItsLinkAndNumber()
+{
+    FirmwareBench bench;
+    QMenu *menu = nullptr;
+    for (const QPushButton *button : bench.page->findChildren<QPushButton *>())
+        menu = button->menu() ? button->menu() : menu;
+    QVERIFY(menu);
+    Q_EMIT menu->aboutToShow();
+    QVERIFY2(!menu->actions().constFirst()->isEnabled(), "no link is open");
+    bench.workbench.shot.links.front().state = LinkState::Open;
+    bench.page->showQueue(true);
+    const auto name = [&](int number) {
+        Q_EMIT menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 1); // the bus leads to the units of the other family
+        QCOMPARE(menu->actions().constFirst()->text(), QStringLiteral("Abstract DC on sim:can…"));
+        menu->actions().constFirst()->trigger();
+        auto *const dialog = bench.page->findChildren<QInputDialog *>().constLast();
+        dialog->setIntValue(number);
+        dialog->accept();
+    };
+    name(6);
+    name(8);
+    const auto ordered = bench.workbench.given<orders::FindMute>();
+    QCOMPARE(ordered.size(), std::size_t(2));
+    QCOMPARE(ordered[0].link, std::string("sim:can"));
+    QCOMPARE(ordered[0].family, std::string("abstractdc"));
+    QCOMPARE(ordered[0].address, 6);
+    ordered[0].finished(DeviceId{2});
+    QVERIFY(bench.selection.device() == DeviceId{2});
+    QVERIFY2(!bench.page->isQueueShown(), "it is written by itself");
+    ordered[1].finished(fail(Fault::Timeout, say("nothing")));
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("nothing")));
+    QVERIFY(bench.selection.device() == DeviceId{2});
 }
 
 MB_WINDOW_TEST(FirmwareTest);

@@ -4,8 +4,11 @@
 #include "widgets/common/commandpalette.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/keybook.h"
+#include "widgets/common/keystrip.h"
 
 #include <QAction>
+#include <QDialog>
+#include <QLabel>
 #include <QShortcut>
 #include <QTest>
 #include <QTranslator>
@@ -72,6 +75,7 @@ private Q_SLOTS:
     void stopAndArmKeepTheirKeys_data();
     void stopAndArmKeepTheirKeys();
     void aChosenKeyHoldsAtOnceEverywhere();
+    void aKeyThatWasTakenAwayIsNamedNowhere();
     void aKeyOnAButtonIsInTheWordsOfTheLanguage();
     void aKeyThatIsHeldIsOneWish_data();
     void aKeyThatIsHeldIsOneWish();
@@ -168,6 +172,34 @@ void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
     QCOMPARE(icon->toolTip(), QStringLiteral("Run  F5"));
     QTest::keyClick(&bench.window, Qt::Key_F5);
     QCOMPARE(bench.done.size(), 2);
+}
+
+void KeyBookTest::aKeyThatWasTakenAwayIsNamedNowhere()
+{
+    KeyBench bench;
+    const ThemeSource theme(darkTheme());
+    QLabel hint(&bench.tune);
+    nameKeys(hint, QStringLiteral("%1 runs · Enter goes on · %2 turns"), {QStringLiteral("F5"), QStringLiteral("F9")});
+    KeyStrip strip(theme,
+        {{QStringLiteral("F5"), QStringLiteral("run")}, {QStringLiteral("Esc"), QStringLiteral("stop")}}, &bench.tune);
+    const auto said = [&strip] {
+        QStringList words;
+        for (const QLabel *label : strip.findChildren<QLabel *>())
+            words << (label->isVisibleTo(&strip) ? label->text() : QString());
+        words.removeAll({});
+        return words.join(QLatin1Char(' '));
+    };
+    KeyBook book = bench.book();
+    QVERIFY(book.choose(rowThat(book, "runs"), {}));
+    bench.ofTune.use(book.choices());
+    QCOMPARE(hint.text(), QStringLiteral("Enter goes on · F9 turns"));
+    QCOMPARE(said(), QStringLiteral("Esc stop"));
+    showKeys(bench.window, QStringLiteral("Tune"), {&bench.ofTune});
+    for (const QLabel *label : bench.window.findChild<QDialog *>(QStringLiteral("keys"))->findChildren<QLabel *>())
+        QVERIFY(!label->text().isEmpty());
+    bench.ofTune.use({});
+    QCOMPARE(hint.text(), QStringLiteral("F5 runs · Enter goes on · F9 turns"));
+    QCOMPARE(said(), QStringLiteral("F5 run Esc stop"));
 }
 
 void KeyBookTest::aKeyOnAButtonIsInTheWordsOfTheLanguage()

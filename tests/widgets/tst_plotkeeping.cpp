@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSet>
 
@@ -22,6 +23,8 @@ private Q_SLOTS:
     void aLayoutWaitsForItsDevices();
     void aFamilyCanBeginWithItsOwnLayout();
     void aLayoutThatCannotBeKeptIsTold();
+    void aLayoutIsOfferedBeforeADiskHasIt();
+    void theNextWindowBeginsWithWhatWasChangedAMomentAgo();
     void resetBringsTheUsualBack();
     void theScrubberScrollsBackWhileRecording();
     void recordingBeginsBeforeItWasAskedFor();
@@ -202,6 +205,44 @@ void TestPlotKeeping::aLayoutThatCannotBeKeptIsTold()
     bench.page.reset(); // what is there is kept at the end of the program
     QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
     QVERIFY(bench.workbench.lines.front().text.contains(s("plots")));
+}
+
+void TestPlotKeeping::aLayoutIsOfferedBeforeADiskHasIt()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    QFile inTheWay(folder.filePath(s("plots")));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    bench.page->setLayoutFolder(folder.filePath(s("plots/layouts"))); // that never has it
+    bench.page->addSignal({{2}, channel("velocity")});
+    const PlotLayout layout = bench.page->layoutBook().current();
+    QMenu menu;
+    bench.page->layoutBook().fillMenu(menu, *bench.page);
+    QCOMPARE(menu.actions().constLast()->text(), s("Reset"));
+    menu.actions().constFirst()->trigger();
+    auto *const dialog = bench.page->findChild<QDialog *>();
+    dialog->findChild<QLineEdit *>()->setText(s("mine"));
+    dialog->accept();
+    bench.page->removeSignal({{2}, channel("velocity")});
+    menu.clear();
+    bench.page->layoutBook().fillMenu(menu, *bench.page);
+    QCOMPARE(menu.actions().constLast()->text(), s("mine"));
+    menu.actions().constLast()->trigger();
+    QVERIFY(bench.page->layoutBook().current() == layout);
+}
+
+void TestPlotKeeping::theNextWindowBeginsWithWhatWasChangedAMomentAgo()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.page->setLayoutFolder(folder.path());
+    bench.page->addSignal({{2}, channel("velocity")});
+    const PlotLayout layout = bench.page->layoutBook().current();
+    bench.page->layoutBook().finish();
+    const auto before = std::move(bench.page); // as where somebody chooses another language
+    bench.open();
+    bench.page->setLayoutFolder(folder.path());
+    QVERIFY(bench.page->layoutBook().current() == layout);
 }
 
 void TestPlotKeeping::resetBringsTheUsualBack()

@@ -18,10 +18,27 @@ KeyStrip::KeyStrip(const ThemeSource &theme, const std::vector<Key> &keys, QWidg
         auto *pair = new QWidget(this);
         auto *row = layoutIn<QHBoxLayout>(pair, theme.theme().u(8));
         QLabel *const cap = badge({}, Tone::Text, pair);
-        nameKeys(*cap, QStringLiteral("%1"), {key.cap});
+        m_pairs.push_back({key.cap, pair, cap});
         row->addWidget(cap);
         row->addWidget(textLabel(key.does, TextRole::Caption, Tone::Dim, pair));
         line->addWidget(pair);
+    }
+    follow();
+}
+
+bool KeyStrip::event(QEvent *event)
+{
+    if (event->type() == keysChanged())
+        follow();
+    return QWidget::event(event);
+}
+
+void KeyStrip::follow()
+{
+    for (const Pair &pair : m_pairs) {
+        const QString key = keyShown(*this, pair.factory);
+        pair.cap->setText(key);
+        pair.whole->setVisible(!key.isEmpty());
     }
 }
 

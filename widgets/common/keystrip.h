@@ -7,10 +7,12 @@
 
 #include <vector>
 
+class QLabel;
+
 namespace mb {
 
-/// A line that names keys as caps, as they are now, and says what each does: "[F5] test again  [F8] set aside". Goes on in the next line
-/// where it does not fit. GUI thread.
+/// A line that names keys as caps, as they are now, and says what each does: "[F5] test again  [F8] set aside"; nothing of those that were
+/// taken away. Goes on in the next line where it does not fit. GUI thread.
 class KeyStrip : public QWidget {
     Q_OBJECT
 public:
@@ -19,6 +21,19 @@ public:
         QString does; ///< "test again"
     };
     KeyStrip(const ThemeSource &theme, const std::vector<Key> &keys, QWidget *parent);
+
+protected:
+    bool event(QEvent *event) override;
+
+private:
+    struct Pair {
+        QString factory;
+        QWidget *whole = nullptr;
+        QLabel *cap = nullptr;
+    };
+    void follow();
+
+    std::vector<Pair> m_pairs;
 };
 
 } // namespace mb

@@ -37,6 +37,8 @@ bool isSingle(const QKeySequence &keys)
 void fill(QGridLayout &grid, QWidget *box, const PageKeys &keys)
 {
     for (const PageKeys::Row &row : keys.rows()) {
+        if (row.keys.empty())
+            continue;
         const int at = grid.rowCount();
         QLabel *const key = textLabel(PageKeys::textOf(row), TextRole::Emphasis, Tone::Text, box);
         QLabel *const does = textLabel(row.does, TextRole::Body, Tone::Text, box);
@@ -173,13 +175,7 @@ protected:
     }
 
 private:
-    void follow()
-    {
-        QString words = m_words;
-        for (const QString &key : m_factory)
-            words = words.arg(keyShown(m_label, key));
-        m_label.setText(words);
-    }
+    void follow() { m_label.setText(wordsOfKeys(m_label, m_words, m_factory)); }
 
     QLabel &m_label;
     QString m_words;
@@ -200,6 +196,24 @@ QString keyShown(const QWidget &button, const QString &factory)
         }
     }
     return inItsLanguage(factory);
+}
+
+QString wordsOfKeys(const QWidget &near, const QString &words, const QStringList &factory)
+{
+    const QString between = QStringLiteral(" · ");
+    QStringList said;
+    for (QString part : words.split(between)) {
+        bool isThere = true;
+        for (int i = 0; i < factory.size(); ++i) {
+            const QString place = QLatin1Char('%') + QString::number(i + 1);
+            const QString key = keyShown(near, factory[i]);
+            isThere = isThere && !(key.isEmpty() && part.contains(place));
+            part.replace(place, key);
+        }
+        if (isThere)
+            said << part;
+    }
+    return said.join(between);
 }
 
 void nameKeys(QLabel &label, const QString &words, const QStringList &factory)

@@ -69,7 +69,10 @@ private:
 /// What a button has to say of its key, which came as this: the same, or what was chosen for that row of its page or window.
 [[nodiscard]] QString keyShown(const QWidget &button, const QString &factory);
 
-/// The label says these words, which name keys as %1, %2 …, by what they came as: as they are now, and again when they are others.
+/// Words in parts with " · " between them, which name keys as %1, %2 …, by what they came as: with the keys as they are now, and
+/// without the parts whose key was taken away.
+[[nodiscard]] QString wordsOfKeys(const QWidget &near, const QString &words, const QStringList &factory);
+/// The label says these words, and says them again when the keys are others.
 void nameKeys(QLabel &label, const QString &words, const QStringList &factory);
 
 /// What F1 opens: the keys of a page and those of the window.

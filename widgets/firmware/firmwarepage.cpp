@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/firmware/firmwarepage.h"
 
-#include "widgets/common/labels.h"
+#include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/wraplayout.h"
+#include "widgets/firmware/muteunits.h"
 #include "widgets/firmware/queueboard.h"
 #include "widgets/firmware/unitupdate.h"
 
 #include <QDragEnterEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QStackedWidget>
 #include <QUrl>
@@ -23,12 +26,7 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, std::span
     setAccessibleName(tr("Firmware"));
     setAcceptDrops(true);
     auto *column = layoutIn<QVBoxLayout>(this, 0);
-    auto *head = new QWidget(this);
-    const Theme &now = theme.theme();
-    auto *row = layoutIn<QHBoxLayout>(head, -1, {now.u(16), now.u(8), now.u(16), 0});
-    row->addWidget(m_which = new Segmented(tr("What is updated"), {tr("Selected unit"), tr("Queue of units")}, head));
-    row->addStretch(1);
-    column->addWidget(head);
+    column->addWidget(buildHead(workbench, selection, families, theme));
     m_faces = new QStackedWidget(this);
     m_faces->addWidget(m_unit = new UnitUpdate(workbench, selection, theme, m_faces));
     m_faces->addWidget(m_queue = new QueueBoard(workbench, selection, families, theme, m_faces));
@@ -36,6 +34,30 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, std::span
     connect(m_which, &Segmented::currentChanged, m_faces, &QStackedWidget::setCurrentIndex);
     auto *keys = new PageKeys(*this);
     keys->add({Qt::Key_F5}, tr("starts the update"), [this] { startUpdate(); });
+}
+
+QWidget *FirmwarePage::buildHead(
+    Workbench &workbench, Selection &selection, std::span<const Family *const> families, const ThemeSource &theme)
+{
+    auto *head = new QWidget(this);
+    const Theme &now = theme.theme();
+    auto *row = new WrapLayout(head);
+    row->setContentsMargins(now.u(16), now.u(8), now.u(16), 0);
+    row->addWidget(m_which = new Segmented(tr("What is updated"), {tr("Selected unit"), tr("Queue of units")}, head));
+    row->addSpring();
+    auto *mute = new CommandButton(theme, Symbol::Plug, tr("Unit that does not answer"), head);
+    mute->setToolTip(tr("A unit whose update was cut may be mute: say where it is, and it can be written again"));
+    auto *menu = new QMenu(mute);
+    mute->setMenu(menu);
+    row->addWidget(mute);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu, &workbench, &selection, families] {
+        menu->clear();
+        addMuteUnits(*menu, workbench, families, *this, [this, &selection](DeviceId unit) {
+            showQueue(false);
+            selection.select(unit);
+        });
+    });
+    return head;
 }
 
 void FirmwarePage::showQueue(bool on)

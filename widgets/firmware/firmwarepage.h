@@ -39,6 +39,9 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
+    [[nodiscard]] QWidget *buildHead(
+        Workbench &workbench, Selection &selection, std::span<const Family *const> families, const ThemeSource &theme);
+
     Segmented *m_which = nullptr;
     QStackedWidget *m_faces = nullptr;
     UnitUpdate *m_unit = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/devicebook.h"
 #include "transport/linkaddress.h"
 #include "wire/canframe.h"
 
@@ -33,6 +34,15 @@ struct ScanEverything {
 /// Ends a scan; what it has found stays. No errors.
 struct CancelScan {
     std::string link;
+};
+
+/// A unit that nothing is heard of, because an update was cut, is in the snapshot as one that waits in its bootloader; one that does
+/// answer as it is. LinkLost when the link is not open, Unsafe while it is needed for itself; Timeout as Session::connect() has it.
+struct FindMute {
+    using Answer = DeviceId;
+    std::string link;
+    std::string family;
+    int address = 0;
 };
 
 /// Sends one frame by hand on a CAN link. LinkLost, Unsupported (a replay), OutOfRange (no such frame on this link).

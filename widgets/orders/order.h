@@ -35,7 +35,7 @@ using StoppableOrders
     = detail::Kinds<orders::SendFrame, orders::ServeUnits, orders::RetryUnit, orders::RetryFailedUnits>;
 /// Nothing turns by these, or what they do asks itself whether it stands.
 using StillOrders = detail::Kinds<orders::OpenLink, orders::CloseLink, orders::ScanLinks, orders::ScanEverything,
-    orders::CancelScan, orders::ReadParameters, orders::WriteParameters, orders::StoreParameters,
+    orders::CancelScan, orders::FindMute, orders::ReadParameters, orders::WriteParameters, orders::StoreParameters,
     orders::RewriteSettings, orders::RestoreParameters, orders::UndoWrite, orders::KeepChange, orders::PutBackChange,
     orders::TakeSnapshot, orders::Identify, orders::Rename, orders::Renumber, orders::ClearFaults, orders::Calibrate,
     orders::SetDialect, orders::WishRates, orders::RenewMotion, orders::StopMotion, orders::ZeroPosition,
@@ -57,7 +57,7 @@ enum class TakenBackBy { EveryStop, StopOfTheUser, NoStop };
 }
 
 /// What an order that went well is answered with: nothing for most, else what its struct names as its Answer.
-using Answer = std::variant<std::monostate, tuning::Trial, tuning::TuneReport, tuning::FrequencyResponse>;
+using Answer = std::variant<std::monostate, DeviceId, tuning::Trial, tuning::TuneReport, tuning::FrequencyResponse>;
 
 namespace detail {
 

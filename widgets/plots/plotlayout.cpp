@@ -70,10 +70,9 @@ QStringList PlotLayouts::names() const
         return names;
     for (const QString &file : QDir(m_folder).entryList({QStringLiteral("*.json")}, QDir::Files)) {
         const QString name = QUrl::fromPercentEncoding(file.left(file.size() - 5).toLatin1());
-        if (!name.startsWith(QLatin1Char('@')))
+        if (!isOwn(name))
             names << name;
     }
-    names.sort(Qt::CaseInsensitive);
     return names;
 }
 

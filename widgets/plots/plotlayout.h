@@ -54,7 +54,7 @@ public:
         : m_folder(folder)
     {
     }
-    /// Names that a person gave, sorted.
+    /// Names that a person gave.
     [[nodiscard]] QStringList names() const;
     [[nodiscard]] Result<PlotLayout> load(const QString &name) const;
     [[nodiscard]] Result<void> save(const QString &name, const PlotLayout &layout) const;
@@ -63,6 +63,7 @@ public:
 
     /// Names that no person can give: what was there when the program ended, and what a family begins with.
     [[nodiscard]] static QString lastName() { return QStringLiteral("@last"); }
+    [[nodiscard]] static bool isOwn(const QString &name) { return name.startsWith(QLatin1Char('@')); }
     [[nodiscard]] static QString familyName(const QString &family) { return QStringLiteral("@family ") + family; }
 
 private:

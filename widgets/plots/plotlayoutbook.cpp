@@ -31,15 +31,22 @@ PlotLayoutBook::PlotLayoutBook(Workbench &workbench, Selection &selection, PlotS
 
 PlotLayoutBook::~PlotLayoutBook()
 {
+    finish();
+}
+
+void PlotLayoutBook::finish()
+{
     if (m_remember.isActive())
         save();
+    m_disk.finish();
 }
 
 void PlotLayoutBook::setFolder(const QString &folder)
 {
     m_layouts = PlotLayouts(folder);
+    m_ordered.clear();
     m_defaultsOf = {};
-    if (const auto last = m_layouts.load(PlotLayouts::lastName()))
+    if (const auto last = load(PlotLayouts::lastName()))
         apply(*last);
 }
 
@@ -50,8 +57,17 @@ void PlotLayoutBook::save()
         keep(PlotLayouts::lastName(), current());
 }
 
+Result<PlotLayout> PlotLayoutBook::load(const QString &name) const
+{
+    const auto ordered = m_ordered.find(name);
+    if (ordered == m_ordered.end())
+        return m_layouts.load(name);
+    return ordered->second ? Result<PlotLayout>(*ordered->second) : PlotLayouts().load(name);
+}
+
 void PlotLayoutBook::keep(const QString &name, const PlotLayout &layout)
 {
+    m_ordered[name] = layout;
     m_disk.order(
         name, [layouts = m_layouts, name, layout] { return layouts.save(name, layout); },
         [this, isLast = name == PlotLayouts::lastName()](const Result<void> &saved) {
@@ -63,6 +79,7 @@ void PlotLayoutBook::keep(const QString &name, const PlotLayout &layout)
 
 void PlotLayoutBook::forget(const QString &name)
 {
+    m_ordered[name].reset();
     m_disk.order(
         name,
         [layouts = m_layouts, name] {
@@ -88,7 +105,7 @@ void PlotLayoutBook::takeDefaults()
         return;
     m_defaultsOf = device->id;
     m_defaultsOfAxis = axis;
-    if (const auto own = m_layouts.load(PlotLayouts::familyName(qt(device->family->key))); own && axis == 0) {
+    if (const auto own = load(PlotLayouts::familyName(qt(device->family->key))); own && axis == 0) {
         m_stack.view().setWindow(own->window);
         return m_board.setTraces(tracesOf(*own, device->id), false);
     }
@@ -165,13 +182,17 @@ void PlotLayoutBook::fillMenu(QMenu &menu, QWidget &parent)
     menu.addAction(tr("Save layout as…"), this, saveAs)->setEnabled(m_layouts.remembers());
     addFamilyEntries(menu);
     menu.addAction(tr("Reset"), this, &PlotLayoutBook::reset);
-    m_disk.finish(); // what was saved a moment ago is offered, too
-    const QStringList names = m_layouts.names();
+    QStringList names = m_layouts.names();
+    for (const auto &[name, layout] : m_ordered) { // what was saved a moment ago is offered, too
+        if (!PlotLayouts::isOwn(name) && !names.contains(name))
+            names << name;
+    }
+    names.sort(Qt::CaseInsensitive);
     if (!names.isEmpty())
         menu.addSeparator();
     for (const QString &name : names)
         menu.addAction(name, this, [this, name] {
-            if (const auto layout = m_layouts.load(name); layout)
+            if (const auto layout = load(name); layout)
                 apply(*layout);
             else
                 m_workbench.report(Severity::Danger, {}, errorText(layout.error()));

@@ -7,6 +7,9 @@
 
 #include <QTimer>
 
+#include <map>
+#include <optional>
+
 class QMenu;
 
 namespace mb {
@@ -31,6 +34,8 @@ public:
     void follow();
     /// Soon: what the board or the window has become is kept for the next run.
     void remember() { m_remember.start(); }
+    /// What it has become is kept now, for the next window; waits for the disk.
+    void finish();
     /// Names are asked above `parent`.
     void fillMenu(QMenu &menu, QWidget &parent);
 
@@ -42,6 +47,7 @@ private:
     void save();
     void keep(const QString &name, const PlotLayout &layout);
     void forget(const QString &name);
+    [[nodiscard]] Result<PlotLayout> load(const QString &name) const;
     void takeDefaults();
     void addFamilyEntries(QMenu &menu);
     [[nodiscard]] std::vector<PlotBoard::Trace> tracesOf(const PlotLayout &layout, DeviceId standIn) const;
@@ -51,6 +57,8 @@ private:
     PlotStack &m_stack;
     PlotBoard &m_board;
     PlotLayouts m_layouts;
+    std::map<QString, std::optional<PlotLayout>>
+        m_ordered; ///< what its file is, or will be, or none; nobody waits for a disk
     DeviceId m_defaultsOf;
     int m_defaultsOfAxis = 0;
     QTimer m_remember;

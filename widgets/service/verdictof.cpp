@@ -193,11 +193,10 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     }
     verdict.cause = asSentence(messageText(row->visit.cause));
     verdict.remedy = asSentence(messageText(row->visit.remedy));
-    verdict.next = verdict.kind == Verdict::Kind::Failed
-        ? BenchText::tr("%1 tests again, %2 sets it aside")
-              .arg(keyShown(page, QStringLiteral("F5")), keyShown(page, QStringLiteral("F8")))
-        : view.running ? BenchText::tr("Unplug, connect next")
-                       : BenchText::tr("Safe to unplug");
+    verdict.next = verdict.kind == Verdict::Kind::Failed ? wordsOfKeys(page,
+                       BenchText::tr("%1 tests again · %2 sets it aside"), {QStringLiteral("F5"), QStringLiteral("F8")})
+        : view.running                                   ? BenchText::tr("Unplug, connect next")
+                                                         : BenchText::tr("Safe to unplug");
     verdict.hint = hintOf(view, *row, verdict.kind);
     return verdict;
 }

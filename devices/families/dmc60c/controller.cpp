@@ -193,6 +193,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         co_return before;
     }
     const std::int64_t inForce = co_await m_desk.write(row, raw);
+    m_rates.chosen(static_cast<std::uint8_t>(row.id), static_cast<std::uint32_t>(inForce));
     co_return inForce;
 }
 

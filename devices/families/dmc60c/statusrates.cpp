@@ -101,6 +101,12 @@ void StatusRates::sendOwed(const UnitContact &contact)
         (void)contact.link.send(encodeParamSet(unit.device, unit.session, parameter, periodFor(parameter)));
 }
 
+void StatusRates::chosen(std::uint8_t parameter, std::uint32_t period)
+{
+    if (const auto usual = m_usual.find(parameter); usual != m_usual.end())
+        usual->second = period;
+}
+
 void StatusRates::told(const ParamResponse &response)
 {
     const auto usual = m_usual.find(response.parameter);

@@ -24,6 +24,8 @@ public:
     void forgotten();
     /// What is owed after that, or because no answer came, once a second until it is answered; waits for none.
     void sendOwed(const UnitContact &contact);
+    /// Somebody here has written a parameter, perhaps to what it was raised to; a period is what set() goes back to.
+    void chosen(std::uint8_t parameter, std::uint32_t period);
     /// The unit has told a parameter. A period that nobody here wished for is somebody's choice, which set() goes back to.
     void told(const ParamResponse &response);
 
