@@ -7,6 +7,8 @@
 #include "families/abstractdc/setpoints.h"
 #include "transport/exchange.h"
 
+#include <QScopeGuard>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -124,8 +126,11 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
     co_await m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value));
-    if (const auto index = parameterOf(loop, fieldOf(parameter)))
+    const auto proved = qScopeGuard([this] { m_unproven.reset(); });
+    if (const auto index = parameterOf(loop, fieldOf(parameter))) {
+        m_unproven = {*index, raw};
         written(*index, raw);
+    }
     co_await expectAnswer();
     if (lowered) {
         NoProgress unheard;
