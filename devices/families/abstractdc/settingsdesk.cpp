@@ -94,10 +94,11 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
     if (!isLegalAveraging(raw))
         return fail(Fault::OutOfRange, say("legal is 1 … 500"),
             say("the drive does not check it and would overwrite its memory"));
+    if (m_logs.isDriven() || m_logs.isMoving())
+        return fail(
+            Fault::Unsafe, say("until it has averaged once it reads a wrong current"), say("stop the motor first"));
     if (!mayOverrun(raw))
         return {};
-    if (m_logs.isDriven() || m_logs.isMoving())
-        return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
     const auto saves = maySave(loopOf(parameter));
     return saves ? Result<void>() : fail(saves.error());
 }
