@@ -5,7 +5,7 @@
 namespace mb::abstractdc {
 namespace {
 
-TEST_F(AbstractDcController, AveragingIsNotLoweredWhileTheMotorIsDrivenNorWhileItMerelyTurns)
+TEST_F(AbstractDcController, AveragingIsNotChangedWhileTheMotorIsDrivenNorWhileItMerelyTurns)
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
@@ -26,15 +26,23 @@ TEST_F(AbstractDcController, AveragingIsNotLoweredWhileTheMotorIsDrivenNorWhileI
     EXPECT_FALSE(sentOf("0CB").empty());
 }
 
-TEST_F(AbstractDcController, AveragingIsNotLoweredWhileADrivenMotorStandsStill)
+/// Raised, too: what the loop of the current reads would fall to a part.
+TEST_F(AbstractDcController, AveragingIsNotChangedWhileADrivenMotorStandsStill)
 {
     Simulator &drive = add("abstractdc:3");
     open(3, &dialectF);
     ASSERT_TRUE(drive.disturb("stall", 1.0));
-    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.1)));
-    clock.advance(2s);
-    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::Unsafe);
-    EXPECT_TRUE(sentOf("0CB").empty());
+    for (const auto &[mode, target] : {std::pair{Mode::Duty, 0.1}, {Mode::Current, 20.0}}) {
+        ASSERT_TRUE(device->command(setPoint(mode, target)));
+        clock.advance(2s);
+        for (const std::int64_t raw : {50, 500})
+            EXPECT_EQ(write("current.averaging", raw).error().fault, Fault::Unsafe) << toString(mode) << ' ' << raw;
+        EXPECT_TRUE(sentOf("0CB").empty());
+        device->stop();
+        clock.advance(2s);
+    }
+    EXPECT_TRUE(write("current.averaging", 500));
+    EXPECT_FALSE(sentOf("0CB").empty());
 }
 
 TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
@@ -47,7 +55,7 @@ TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
     EXPECT_FALSE(device->mayMove());
     powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
-    ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
+    ASSERT_TRUE(write("current.averaging", 60)) << "raised, it owes nothing";
     EXPECT_TRUE(device->mayMove());
 }
 
@@ -242,6 +250,14 @@ TEST(AbstractDcCommand, ADutyIsBetweenAllBackwardsAndAllForwards)
     EXPECT_EQ(duty(-1.0)->target, -255);
     EXPECT_EQ(duty(1.0)->target, 255);
     EXPECT_EQ(duty(0.0)->target, 0);
+}
+
+TEST(AbstractDcCommand, ALoopIsNotReversedByTheDivisorWhichWouldKeepItsIntegral)
+{
+    SetPoint order;
+    order.mode = Mode::Velocity;
+    order.reverseSensor = true;
+    EXPECT_EQ(commandOf(order, {}).error().remedy, "exchange the wires, or the signs of p, i and d");
 }
 
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)

@@ -33,7 +33,7 @@ TEST_F(AbstractDcForeign, AnAveragingThatAnotherMasterRaisedIsLoweredOnlyAtAStan
     powerCycle(drive, 500ms);
     ASSERT_TRUE(device->mayMove());
     others("0CB#0204F4010000"); // 500
-    EXPECT_TRUE(device->mayMove()) << "raising is harmless";
+    EXPECT_TRUE(device->mayMove()) << "raised, it owes nothing";
     clock.advance(3s);
     ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.1)));
     EXPECT_EQ(write("current.averaging", 60).error().fault, Fault::Unsafe);

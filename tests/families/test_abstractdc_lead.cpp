@@ -248,6 +248,72 @@ TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
     EXPECT_TRUE(device->caution(setPoint(Mode::Position, 1001.0)).empty());
 }
 
+/// There no target is near enough, and dialect L has no log of its output that would stop it.
+TEST_F(AbstractDcLead, GainsWithWhichAnErrorOfOneTurnsTheOutputRoundMoveNothing)
+{
+    add("abstractdc:3,gains=default");
+    add("abstractdc:4,gains=default,dialect=L");
+    for (const auto &[offset, dialect] : {std::pair{3, &dialectF}, {4, &dialectL}}) {
+        open(offset, dialect);
+        for (const Mode mode : {Mode::Velocity, Mode::Current, Mode::Position}) {
+            for (const auto &[p, d, fits] : {std::tuple{32'000, 0, true}, {32'001, 0, false}, {60'000, 0, false},
+                     {-60'000, 0, false}, {0, 320'000, true}, {0, 320'010, false}, {0, -320'010, false}}) {
+                gains(std::string(toString(mode)), p, d);
+                EXPECT_EQ(device->check(setPoint(mode, 100.0)).has_value(), fits) << toString(mode) << ' ' << p << d;
+                EXPECT_EQ(fits || device->command(setPoint(mode, 100.0)).error().fault == Fault::Unsafe, true);
+            }
+        }
+        EXPECT_TRUE(device->check(setPoint(Mode::Duty, 0.1)));
+        EXPECT_TRUE(sentOf("06").empty());
+    }
+}
+
+TEST_F(AbstractDcLead, GainsAreNotRaisedBeyondTheErrorThatStands)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 600.0), 60s));
+    sent.clear();
+    EXPECT_EQ(write("velocity.p", 51).error().fault, Fault::Unsafe) << "its first pass is yet to come";
+    clock.advance(500ms);
+    for (const auto &[key, raw] : {std::pair{"velocity.p", 54}, {"velocity.p", -54}, {"velocity.d", 40}})
+        EXPECT_EQ(write(key, raw).error().fault, Fault::Unsafe) << key << ' ' << raw;
+    EXPECT_TRUE(sentOf("0CB").empty());
+    for (const auto &[key, raw] :
+        {std::pair{"velocity.d", 30}, {"velocity.d", 0}, {"velocity.p", 53}, {"velocity.p", 5}, {"position.p", 60'000}})
+        EXPECT_TRUE(write(key, raw)) << key << ' ' << raw;
+    EXPECT_TRUE(stream.isRunning()) << stream.reason().english();
+    ASSERT_TRUE(drive.disturb("stall", 0.0));
+    clock.advance(2s);
+    EXPECT_GT(drive.speed(), 100.0);
+    stream.stop();
+}
+
+TEST_F(AbstractDcLead, ATargetIsLedByAGainThatIsStillOnItsWay)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 10.0), 60s));
+    clock.advance(500ms);
+    sent.clear();
+    auto raised = device->write(index("velocity.p"), 3000);
+    raised.start();
+    ASSERT_FALSE(sentOf("0CB").empty());
+    ASSERT_FALSE(raised.isFinished());
+    ASSERT_TRUE(stream.update(setPoint(Mode::Velocity, 600.0)));
+    clock.advance(500ms);
+    EXPECT_TRUE(raised.isFinished());
+    for (const std::string &order : sentOf("067#"))
+        EXPECT_EQ(order, "067#010A000000") << "32000 / 3000";
+    stream.stop();
+}
+
 /// The drive's counter has 32 bits, which last for three hours at this speed.
 TEST_F(AbstractDcLead, AVelocityStaysWhatItIsWhereThePositionWraps)
 {

@@ -142,6 +142,59 @@ TEST_F(AbstractDcSimulator, TheDocumentsCodesDoOtherThingsToTheFirmware)
     EXPECT_TRUE(happened("memory-overrun"));
 }
 
+TEST_F(AbstractDcSimulator, AnAveragingThatIsLoweredBehindItsSampleOverwritesTheMemory)
+{
+    add("abstractdc:0,gains=default");
+    send("0C8#020464000000"); // 100
+    clock.advance(3100ms);    // and 54 or 55 of the next
+    send("0C8#02043C000000"); // 60, which are yet to come
+    clock.advance(12s);
+    EXPECT_FALSE(happened("memory-overrun"));
+    send("0C8#020464000000");
+    clock.advance(1300ms);
+    send("0C8#020401000000");
+    clock.advance(12s);
+    EXPECT_TRUE(happened("memory-overrun"));
+}
+
+TEST_F(AbstractDcSimulator, ARaisedAveragingTellsAPartOfTheCurrentUntilItHasAveragedOnce)
+{
+    Simulator &drive = add("abstractdc:0,gains=default");
+    drive.disturb("stall", 1.0);
+    send("064#04FF000000");
+    clock.advance(1s);
+    const auto current = [this] {
+        const auto frame = canFrameFromText(ask("384#02").at(0));
+        return frame->data[0] + 256 * frame->data[1];
+    };
+    const int whole = current();
+    ASSERT_GT(whole, 80);
+    send("0C8#020432000100"); // 65536 more than 50
+    EXPECT_LE(current(), 4) << "of one or two samples";
+    clock.advance(500ms);
+    EXPECT_NEAR(current(), whole / 2, 5);
+    clock.advance(600ms);
+    EXPECT_NEAR(current(), whole, 5) << "of 50 samples, for it takes 16 bits of the number";
+}
+
+TEST_F(AbstractDcSimulator, ANegativeDivisorKeepsTheIntegralAcrossModes)
+{
+    Simulator &drive = add("abstractdc:0,gains=default");
+    drive.disturb("stall", 1.0);
+    send("0C8#010140420F00"); // I = 1 per ms
+    for (const bool negative : {false, true}) {
+        send(negative ? "0C8#0103C0BDF0FF" : "0C8#010340420F00");
+        send("064#0164000000");
+        clock.advance(1s);
+        send("064#0000000000");
+        const std::string last = voltage();
+        send("064#0100000000"); // no error
+        clock.advance(21ms);
+        EXPECT_EQ(voltage(), negative ? last : "680#00000000");
+        send("064#0000000000");
+    }
+}
+
 TEST_F(AbstractDcSimulator, LegacyDrivesObeyEightBytesAndIgnoreFive)
 {
     Simulator &legacy = add("abstractdc:0,dialect=L");

@@ -89,6 +89,10 @@ TEST(Dmc60cParameters, AreNarrowerThanTheWireWhereTheReferenceSaysSo)
     EXPECT_EQ(row(18).maximum, 0.0);
     EXPECT_EQ(row(17).maximum, 32767.0);
     EXPECT_FALSE(toRaw(row(93), 51));
+    for (const double blind : {0.0, -1.0 / 65536.0, -0.0316})
+        EXPECT_FALSE(toRaw(row(9), blind)) << "no current would be measured, and none limited";
+    EXPECT_FALSE(isLegal(row(9), 0));
+    EXPECT_EQ(toRaw(row(9), 1.0 / 65536.0), 1);
     EXPECT_FALSE(toRaw(row(17), 40000));
     EXPECT_EQ(*toRaw(row(10), 2147483647.0 / 65536.0), 2147483647);
 }

@@ -434,13 +434,14 @@ TEST_F(SupermodifiedJudgement, AMoveThatMayPassItsTargetNeedsAProfileThatIsKnown
         EXPECT_EQ(profile(dialect, ramp(1.0, 800.0, 0.0)), unsafe);
         EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), unsafe);
         EXPECT_EQ(profile(dialect, setPoint(Mode::RampVelocity, 1.0)), std::nullopt) << "it has no target";
-        known.profileVelocity = 800;
+        known.profileVelocity = 46340;
         EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), unsafe);
         EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), std::nullopt);
         known.profileAcceleration = 800;
         EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), std::nullopt);
+        known.profileVelocity = 46341;
+        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), Fault::OutOfRange) << "its square does not fit";
     }
-    known = {};
     EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), std::nullopt);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated node from outside, with literal frames; SIM = as the vendor's
 // images behaved when they were executed.
+#include "families/supermodified/simulatorprofile.h"
 #include "families/supermodifiedbench.h"
 
 #include <cmath>
@@ -251,6 +252,24 @@ TEST(SupermodifiedSimulator, ProfiledMovesKeepTheirPaceAndVelocityReadsElevenPer
     talk.clock.advance(500ms);
     EXPECT_NEAR(talk.simulator.speed(), 0.0, 50.0);
     EXPECT_TRUE(talk.simulator.isOutputOn()) << "halt holds";
+}
+
+TEST(SupermodifiedSimulator, AVelocityWhoseSquareDoesNotFitIntoItsBitsMakesAProfilePassItsTarget)
+{
+    const auto endOf = [](Dialect dialect, std::uint32_t velocity, std::int64_t target) {
+        const simulation::LoopSettings settings{0, 0, 0, 1000, velocity}; // it never gets that fast
+        simulation::Profile profile(dialect, settings);
+        profile.moveTo(target);
+        for (int loop = 0; loop < 5000; ++loop)
+            profile.step();
+        return profile.setPoint();
+    };
+    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
+        EXPECT_EQ(endOf(dialect, 46'340, 1000), 1000);
+        EXPECT_GT(endOf(dialect, 46'341, 1000), 5000);
+        EXPECT_LT(endOf(dialect, 60'000, -1000), -5000);
+    }
+    EXPECT_EQ(endOf(Dialect::D3, 60'000, 1000), 1000);
 }
 
 TEST(SupermodifiedSimulator, FaultsOnDemand)

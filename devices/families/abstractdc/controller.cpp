@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace mb::abstractdc {
@@ -138,9 +139,14 @@ Result<void> Controller::doMayMove() const
 Result<void> Controller::check(const SetPoint &setPoint) const
 {
     MB_TRY(const auto command, commandOf(setPoint, knowledge().profile()));
+    const double unknown = LeadProbe().most();
+    if (greatestError(parameters(), command.loop, true, unknown) < 1.0)
+        return fail(Fault::Unsafe,
+            say("p and d are so high for the divisor that an error of 1 turns the output to full reverse"),
+            say("lower them, or raise the divisor"));
     if (command.loop != Loop::Velocity || m_logs.loop() == Loop::Velocity)
         return {};
-    return mayEnterVelocity(m_logs.entrySpeed(), parameters(), LeadProbe().most());
+    return mayEnterVelocity(m_logs.entrySpeed(), parameters(), unknown);
 }
 
 Message Controller::caution(const SetPoint &setPoint) const
@@ -178,7 +184,8 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     }
     const auto feedback = m_logs.feedback(command.loop, command.target);
     const bool hasPassed = m_ours && m_logs.loop() == command.loop && m_logs.hasPassed(now);
-    const double most = greatestError(parameters(), command.loop, hasPassed, m_probe.most());
+    const double most = std::min(greatestError(parameters(), command.loop, hasPassed, m_probe.most()),
+        greatestError(parameters(), command.loop, hasPassed, m_probe.most(), m_desk.unproven()));
     const Whereabouts::SpeedRange entry = m_logs.entrySpeed();
     const std::int32_t target = command.loop == Loop::Velocity && !hasPassed // README.md#first-pass
         ? m_lead.next(command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
@@ -378,7 +385,15 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
 
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
-    return m_desk.write(parameters().parameter(index), raw);
+    const Loop loop = loopOf(parameters().parameter(index));
+    if (m_ours && m_logs.loop() == loop) {
+        const double error = m_logs.hasPassed(clock().now())
+            ? std::abs(m_sentTarget - m_logs.feedback(loop, m_sentTarget).value_or(0.0))
+            : std::numeric_limits<double>::infinity(); // README.md#first-pass
+        const ParameterChange change{index, raw};
+        co_await mayChange(parameters(), change, error, m_probe.most());
+    }
+    co_return co_await m_desk.write(parameters().parameter(index), raw);
 }
 
 void Controller::settingsReplaced(bool blank)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/decode.h"
 
+#include "families/abstractdc/codec.h"
 #include "families/abstractdc/questionbook.h"
 #include "wire/bytes.h"
 
@@ -24,19 +25,6 @@ std::optional<int> offsetIn(const CanFrame &frame, std::uint32_t base)
     return static_cast<int>(frame.id - base);
 }
 
-template <std::size_t N> std::optional<std::size_t> placeOf(const std::array<int, N> &codes, int code)
-{
-    const auto found = std::ranges::find(codes, code);
-    if (found == codes.end())
-        return std::nullopt;
-    return static_cast<std::size_t>(found - codes.begin());
-}
-
-double valueAt(const CanFrame &frame, std::size_t place)
-{
-    return static_cast<std::int32_t>(readU32le(frame.data, place));
-}
-
 constexpr int untold = -1; ///< address: the same identifier comes from all drives
 
 DecodedFrame made(std::string_view message, int offset)
@@ -58,34 +46,32 @@ bool isStop(const CanFrame &frame)
 
 std::optional<DecodedFrame> setPoint(const Dialect &dialect, const CanFrame &frame, int offset)
 {
-    const auto loop = placeOf(dialect.type, frame.data[0]);
     DecodedFrame decoded = made("setpoint", offset);
     if (isStop(frame) && dialect.canStop()) {
         decoded.fields = {{"TYPE", 0.0, {}}, {"value", 0.0, {}}};
         return decoded;
     }
-    if (frame.size != (dialect.wide ? 8 : 5) || !loop)
+    const auto loop = decodeSetPoint(dialect, offset, frame);
+    if (!loop)
         return std::nullopt;
-    decoded.control = *loop != 0;
+    const auto value = static_cast<std::int32_t>(readU32le(frame.data, dialect.wide ? 4 : 1));
+    decoded.control = *loop != Loop::None;
     decoded.fields = {{"TYPE", static_cast<double>(frame.data[0]), {}},
-        {"value", valueAt(frame, dialect.wide ? 4 : 1), loopUnits.at(*loop)}};
+        {"value", static_cast<double>(value), loopUnits.at(static_cast<std::size_t>(*loop))}};
     return decoded;
 }
 
 std::optional<DecodedFrame> settings(const Dialect &dialect, const CanFrame &frame, int offset)
 {
-    const bool save = frame.size == 1;
-    const int type = dialect.wide && !save ? frame.data[0] & 0xF : frame.data[0];
-    const int field = dialect.wide ? frame.data[0] >> 4 : frame.data[1];
-    const auto loop = placeOf(dialect.type, type);
-    const bool hasGains = loop && *loop != 0 && *loop != static_cast<std::size_t>(Loop::Direct);
-    if (!hasGains || (!save && (frame.size != (dialect.wide ? 8 : 6) || !placeOf(dialect.field, field))))
+    const auto saved = decodeSave(dialect, offset, frame);
+    const auto written = decodeSettings(dialect, offset, frame);
+    if (!saved && !written)
         return std::nullopt;
-    DecodedFrame decoded = made(save ? "save" : "settings", offset);
-    decoded.fields.push_back({"TYPE", static_cast<double>(type), {}});
-    if (!save) {
-        decoded.fields.push_back({"FIELD", static_cast<double>(field), {}});
-        decoded.fields.push_back({"value", valueAt(frame, dialect.wide ? 4 : 2), {}});
+    DecodedFrame decoded = made(saved ? "save" : "settings", offset);
+    decoded.fields = {{"TYPE", static_cast<double>(dialect.codeOf(saved ? *saved : written->loop)), {}}};
+    if (written) {
+        decoded.fields.push_back({"FIELD", static_cast<double>(dialect.codeOf(written->field)), {}});
+        decoded.fields.push_back({"value", static_cast<double>(written->value), {}});
     }
     return decoded;
 }
@@ -95,7 +81,7 @@ std::optional<DecodedFrame> logRequest(const CanFrame &frame)
 {
     for (const Dialect *dialect : dialects) {
         const auto offset = offsetIn(frame, dialect->request);
-        if (frame.size != 1 || !offset || !placeOf(dialect->log, frame.data[0]))
+        if (frame.size != 1 || !offset || std::ranges::find(dialect->log, frame.data[0]) == dialect->log.end())
             continue;
         DecodedFrame decoded = made("log request", *offset);
         decoded.fields.push_back({"LOG", static_cast<double>(frame.data[0]), {}});
@@ -106,15 +92,14 @@ std::optional<DecodedFrame> logRequest(const CanFrame &frame)
 
 std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &frame)
 {
-    for (std::size_t i = 0; frame.size == 4 && i < logCount; ++i) {
-        if (dialect.log.at(i) == absent)
-            continue;
+    for (std::size_t i = 0; i < logCount; ++i) {
         const auto offset = offsetIn(frame, static_cast<std::uint32_t>(dialect.reply.at(i)));
-        const bool plain = i == static_cast<std::size_t>(Log::Voltage) && !dialect.voltageOffset;
-        if (!offset || (plain && *offset != 0))
+        const auto reply = offset ? decodeLog(dialect, *offset, frame) : std::nullopt;
+        if (!reply || reply->log != static_cast<Log>(i))
             continue;
+        const bool plain = reply->log == Log::Voltage && !dialect.voltageOffset;
         DecodedFrame decoded = made(logNames.at(i), plain ? untold : *offset);
-        decoded.fields.push_back({"value", valueAt(frame, 0), logUnits.at(i)});
+        decoded.fields.push_back({"value", static_cast<double>(reply->value), logUnits.at(i)});
         return decoded;
     }
     return std::nullopt;

@@ -34,10 +34,10 @@ constexpr std::string_view dHelp = QT_TRANSLATE_NOOP("table",
 constexpr std::string_view divisorHelp = QT_TRANSLATE_NOOP("table",
     "P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative "
     "divisor "
-    "reverses the loop and keeps its integral across modes.");
+    "keeps the integral across modes: to reverse the loop, change the signs of P, I and D.");
 constexpr std::string_view averagingHelp = QT_TRANSLATE_NOOP("table",
-    "Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a "
-    "moment before it is driven.");
+    "Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a "
+    "standstill. Once lowered, the drive must lose its power for a moment before it is driven.");
 
 constexpr Parameter row(std::string_view key, Loop loop, Field field, std::string_view group, std::string_view label,
     std::string_view help, double fallback = 0.0)

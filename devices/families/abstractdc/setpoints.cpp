@@ -40,10 +40,13 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
 
 /// Output per unit of error in a pass of so many milliseconds, in which the error may turn from one end to the other; nothing where it is
 /// not known.
-std::optional<double> strengthOf(const ParameterStore &known, Loop loop, double milliseconds)
+std::optional<double> strengthOf(
+    const ParameterStore &known, Loop loop, double milliseconds, const std::optional<ParameterChange> &change = {})
 {
     const auto number = [&](Field field) -> std::optional<double> {
         const auto index = parameterOf(loop, field);
+        if (index && change && change->index == *index)
+            return static_cast<double>(change->raw);
         const auto raw = index ? known.entry(*index).raw : std::nullopt;
         return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
     };
@@ -62,7 +65,7 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
     MB_TRY(const auto scale, scaleOf(setPoint.mode, profile));
     if (setPoint.reverseMotor || setPoint.reverseSensor)
         return fail(Fault::Unsupported, say("an Abstract DC Drive cannot exchange directions"),
-            say("exchange the wires, or the sign of the divisor"));
+            say("exchange the wires, or the signs of p, i and d"));
     if (setPoint.overrideLimits)
         return fail(Fault::Unsupported,
             say("an Abstract DC Drive has no limit switches, so there is no limit override"), say("leave it out"));
@@ -93,12 +96,24 @@ bool knowsGains(const ParameterStore &known, Loop loop)
     return strengthOf(known, loop, laterPass).has_value();
 }
 
-double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown)
+double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown,
+    const std::optional<ParameterChange> &change)
 {
-    const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass);
+    const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass, change);
     if (!strength)
         return unknown;
-    return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;
+    return *strength > 0.0 ? std::floor(safeOutput / *strength) : farthest;
+}
+
+Result<void> mayChange(const ParameterStore &known, const ParameterChange &change, double error, double unknown)
+{
+    const Loop loop = loopOf(known.parameter(change.index));
+    const double most = greatestError(known, loop, true, unknown, change);
+    if (std::max(error, 1.0) <= most || most >= greatestError(known, loop, true, unknown))
+        return {};
+    return fail(Fault::Unsafe,
+        say("the motor is so far from its target that with this value the output would turn to full reverse"),
+        say("stop it first"));
 }
 
 Result<void> mayEnterVelocity(const Whereabouts::SpeedRange &entry, const ParameterStore &known, double unknown)

@@ -7,6 +7,8 @@
 #include "families/abstractdc/setpoints.h"
 #include "transport/exchange.h"
 
+#include <QScopeGuard>
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -92,10 +94,11 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
     if (!isLegalAveraging(raw))
         return fail(Fault::OutOfRange, say("legal is 1 … 500"),
             say("the drive does not check it and would overwrite its memory"));
+    if (m_logs.isDriven() || m_logs.isMoving())
+        return fail(
+            Fault::Unsafe, say("until it has averaged once it reads a wrong current"), say("stop the motor first"));
     if (!mayOverrun(raw))
         return {};
-    if (m_logs.isDriven() || m_logs.isMoving())
-        return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
     const auto saves = maySave(loopOf(parameter));
     return saves ? Result<void>() : fail(saves.error());
 }
@@ -124,8 +127,11 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
     co_await m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value));
-    if (const auto index = parameterOf(loop, fieldOf(parameter)))
+    const auto proved = qScopeGuard([this] { m_unproven.reset(); });
+    if (const auto index = parameterOf(loop, fieldOf(parameter))) {
+        m_unproven = {*index, raw};
         written(*index, raw);
+    }
     co_await expectAnswer();
     if (lowered) {
         NoProgress unheard;

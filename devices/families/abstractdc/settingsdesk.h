@@ -33,6 +33,8 @@ public:
     void saved(Loop loop);
     /// The drive has begun anew: what was not saved is not in force any more.
     void restarted();
+    /// What was sent and may be in force, although no answer has proved it yet.
+    [[nodiscard]] const std::optional<ParameterChange> &unproven() const { return m_unproven; }
     /// The averaging in force is none of 1 … 500 (somebody else wrote it), and so it is when the drive begins anew.
     [[nodiscard]] bool overrunsEver() const;
     /// How often each loop was saved since its page was erased, for Identity::descriptors.
@@ -56,6 +58,7 @@ private:
     const LogSense &m_logs;
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
+    std::optional<ParameterChange> m_unproven;
     std::optional<std::int64_t> m_averaging; ///< written last, by anybody, since this run began
     Subscription m_exchanged;
 };

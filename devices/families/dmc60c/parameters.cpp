@@ -98,10 +98,11 @@ constexpr Parameter period(std::string_view key, std::uint16_t id, double longes
     return {key, id, WireType::Uint32, 1.0, "ms", 1.0, longest, fallback, Access::ReadWrite, false, Nature::Setting,
         statusFrames, label, help, {}};
 }
-/// Calibrated at the factory for this one.
+/// Calibrated at the factory for this one. With 0 or less it would measure no current, and limit none.
 constexpr Parameter ofUnit(Parameter row)
 {
     row.belongsToUnit = true;
+    row.minimum = 1.0 / fixedOne;
     return row;
 }
 

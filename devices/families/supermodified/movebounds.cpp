@@ -42,8 +42,10 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
     };
     MB_TRY_VOID(legal("--velocity", setPoint.velocity, fastest, "counts/s"));
     MB_TRY_VOID(legal("--acceleration", setPoint.acceleration, steepest, "counts/s²"));
-    if (setPoint.mode != Mode::RampPosition || !isNarrow() || (velocity(setPoint) && acceleration(setPoint)))
+    if (setPoint.mode != Mode::RampPosition || !isNarrow())
         return {};
+    if (velocity(setPoint) && acceleration(setPoint))
+        return legal("profile.velocity", *velocity(setPoint), fastest, "counts/s");
     return fail(Fault::Unsafe, say("its profile is not known, so a move that passes its target could not be told"),
         say("read profile.velocity and profile.acceleration"));
 }

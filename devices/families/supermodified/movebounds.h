@@ -19,7 +19,7 @@ public:
     {
     }
 
-    /// OutOfRange for a velocity or acceleration of the profile that the firmware cannot do; Unsafe for a profiled move whose
+    /// OutOfRange for a velocity or acceleration of the profile that the firmware cannot do, also the velocity that it has; Unsafe for a profiled move whose
     /// profile is not known, because it could not be told whether it passes its target (README.md#passed-target).
     [[nodiscard]] Result<void> checkProfile(const SetPoint &setPoint) const;
     /// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits (README.md#overflow).

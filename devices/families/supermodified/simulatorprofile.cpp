@@ -35,10 +35,11 @@ void Profile::moveTo(std::int64_t position)
 /// As if the move began at rest: D1 and D2 compute it once.
 void Profile::setKnee()
 {
-    const double distance = std::abs(m_goal - m_exact);
-    const double velocity = m_settings.velocity;
-    const double stopping = velocity * velocity / (2.0 * std::max<double>(m_settings.acceleration, 1.0));
-    m_knee = m_goal - std::copysign(std::min(stopping, distance / 2.0), m_goal - m_exact);
+    const double way = m_goal - m_exact;
+    const auto square = static_cast<std::int32_t>(m_settings.velocity * m_settings.velocity); // README.md#overflow
+    const double stopping = square / (2.0 * std::max<double>(m_settings.acceleration, 1.0));
+    m_ahead = std::copysign(1.0, way);
+    m_knee = m_goal - m_ahead * std::min(stopping, std::abs(way) / 2.0);
     m_braking = false;
 }
 
@@ -86,15 +87,14 @@ void Profile::stepPosition(double step)
 void Profile::stepByKnee(double step)
 {
     const double acceleration = std::max<double>(m_settings.acceleration, 1.0);
-    const double ahead = std::copysign(1.0, m_goal - m_knee);
-    const double left = (m_goal - m_exact) * ahead;
+    const double left = (m_goal - m_exact) * m_ahead;
     m_braking = m_braking || std::abs(m_exact - m_knee) < kneeWidth;
     if (m_braking && (left <= 1.0 || m_pace == 0.0)) {
         arrive();
         return;
     }
     const double pace = m_braking ? std::sqrt(2.0 * acceleration * left) : static_cast<double>(m_settings.velocity);
-    approach(std::copysign(std::min<double>(m_settings.velocity, pace), ahead), acceleration * step);
+    approach(std::copysign(std::min<double>(m_settings.velocity, pace), m_ahead), acceleration * step);
 }
 
 void Profile::arrive()

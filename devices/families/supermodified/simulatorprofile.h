@@ -53,6 +53,7 @@ private:
     double m_exact = 0.0; ///< set-point with its fraction
     double m_pace = 0.0;  ///< ticks/s
     double m_knee = 0.0;  ///< D1, D2: where it begins to brake
+    double m_ahead = 1.0; ///< 1 or -1, the way of the move
     bool m_braking = false;
     std::int64_t m_setPoint = 0;
 };
