@@ -164,7 +164,6 @@ void Controller::onReset()
     m_orders.clear();
     m_sense.forget();
     knowledge().settingsLost();
-    changed().notify();
     schedulePoll();
     updateLiveness();
 }
