@@ -119,6 +119,16 @@ TEST(AbstractDcCodec, AFrameOfAnotherHostIsReadWithItsOwnDialect)
     EXPECT_EQ(settings->value, 7);
 }
 
+TEST(AbstractDcCodec, ASaveIsThatOfALoopWithGains)
+{
+    for (const Dialect *dialect : {&dialectF, &dialectL}) {
+        for (const Loop loop : {Loop::Velocity, Loop::Current, Loop::Position})
+            EXPECT_EQ(decodeSave(*dialect, 3, encodeSave(*dialect, 3, loop)), loop);
+        for (const char *none : {"0CB#00", "0CB#04", "0CB#05", "0CB#", "0CB#0100", "0CC#01", "067#01", "000000CB#01"})
+            EXPECT_FALSE(decodeSave(*dialect, 3, *canFrameFromText(none))) << none;
+    }
+}
+
 std::string text(const char *frame, std::string_view dialect = {})
 {
     const auto decoded = decodeCan(*canFrameFromText(frame), dialect);

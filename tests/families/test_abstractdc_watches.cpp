@@ -380,6 +380,18 @@ TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
     EXPECT_EQ(sense.glitches(), 2U);
 }
 
+TEST(AbstractDcMotionSense, AShaftThatNobodySawTurnIsNotTakenForAFasterOneTheLongerItWasNotSeen)
+{
+    for (const Duration later : {Duration(20ms), Duration(100s)}) {
+        for (const std::int32_t position : {200, 230}) {
+            MotionSense sense;
+            (void)sense.add(1000, {});
+            EXPECT_EQ(sense.add(position, Instant{} + later) == MotionSense::Reading::Anew, position == 200)
+                << position;
+        }
+    }
+}
+
 TEST(AbstractDcMotionSense, APositionNearZeroThatNoShaftReachesSoFastIsThatOfARestart)
 {
     const auto readingOf = [](std::int32_t step, std::int32_t from, std::int32_t position) {

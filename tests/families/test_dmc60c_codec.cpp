@@ -2,6 +2,7 @@
 // Golden vectors (dmc60c/README.md#vectors), with where they come from: H! the vendor's compiled structs, H
 // its source, F device firmware, R an independent host, D data sheet, W forum.
 #include "families/dmc60c/codec.h"
+#include "families/dmc60c/vendor.h"
 #include "wire/fixedpoint.h"
 
 #include <gtest/gtest.h>
@@ -272,6 +273,24 @@ TEST(Dmc60cCodec, ComputesTheArithmeticOfTheReference)
     EXPECT_EQ(q16(0.1), 0x199A) << "nearest, not truncated";
     EXPECT_EQ(q16(819.175), 0x03332CCD);
     EXPECT_EQ(toFixed(3.3 / 4096 / (0.0005 * 50), 65536.0), 2112);
+}
+
+TEST(Dmc60cOrders, AreWaitedForAndRepeatedAsTheReferenceSays)
+{
+    using namespace std::chrono_literals;
+    using enum Command;
+    const auto expect = [](std::initializer_list<Command> orders, int tries, Duration timeout) {
+        for (const Command order : orders) {
+            EXPECT_EQ(attemptsOf(order).tries, tries) << toString(order);
+            EXPECT_EQ(attemptsOf(order).timeout, timeout) << toString(order);
+        }
+    };
+    expect({FlashLEDs, GetDescriptors, GetFwver, GetFlashSeqnum}, 3, 250ms);
+    expect({SetDevNumber}, 3, 500ms);
+    expect({SetDevName, SetManName, SetProdName, SetManDate, SetHardwareVer, SetSN}, 3, 1s);
+    expect({EnterBootloader, EraseWriteFlashPage}, 3, 2s);
+    expect({SoftReset}, 1, 3s);
+    expect({J1ShortTest, J1OpenTest}, 1, 2s);
 }
 
 } // namespace

@@ -115,6 +115,7 @@ struct PageAnswer {
 const PageAnswer pageIsIn{"0206FCC5#00000000"};
 const PageAnswer pageIsDamaged{"0206FCC5#05000000"};
 const PageAnswer pageIsUnproved{"0206FCC5#06000000"};
+const PageAnswer pageIsOutOfStep{"0206FCC5#03000000"};
 const PageAnswer noPageAnswer{""};
 
 struct PageLog final : Progress {
@@ -193,6 +194,29 @@ TEST_F(Dmc60cPageOrders, OfAFlashThatFailsItsOwnCheckAreThreeForEachPage)
     ASSERT_FALSE(end);
     EXPECT_EQ(end.error().fault, Fault::Refused);
     EXPECT_EQ(sent, (std::vector<int>{30, 30, 30})) << "a worn flash is not erased a fourth time";
+}
+
+TEST_F(Dmc60cPageOrders, OfABootloaderThatWasLeftOrResetMeanwhileStartAnew)
+{
+    for (const char *status : {"01", "04", "07"}) { // the application runs; it has been entered; it has been reset
+        sent.clear();
+        EXPECT_EQ(write({pageIsIn, {"0206FCC5#" + std::string(status) + "000000"}}),
+            Result<PageWriter::End>(PageWriter::End::Restart))
+            << status;
+        EXPECT_EQ(sent, (std::vector<int>{30, 1})) << status << ": page 0 would have it start half a program";
+    }
+}
+
+TEST_F(Dmc60cPageOrders, WhoseBytesAreOutOfStepAreSentFourTimesAtMost)
+{
+    EXPECT_EQ(write({pageIsIn, pageIsOutOfStep}), Result<PageWriter::End>(PageWriter::End::Written));
+    EXPECT_EQ(sent, (std::vector<int>{30, 1, 1, 0}));
+    EXPECT_EQ(log.counts, (std::vector<std::pair<int, int>>{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {3, 1}}));
+    sent.clear();
+    const auto end = write({pageIsIn, pageIsOutOfStep, pageIsOutOfStep, pageIsOutOfStep, pageIsOutOfStep});
+    ASSERT_FALSE(end);
+    EXPECT_EQ(end.error().fault, Fault::Timeout);
+    EXPECT_EQ(sent, (std::vector<int>{30, 1, 1, 1, 1}));
 }
 
 /// Its wire takes no time worth speaking of, so that an answer comes when it is sent.

@@ -2,7 +2,10 @@
 // What keeps the simulated DMC60C from driving: switches, soft limits, current limiter, faults of the motor side.
 #include "families/dmc60csimulatorbench.h"
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 namespace mb::test {
 namespace {
@@ -13,42 +16,84 @@ using namespace dmc60csim;
 
 constexpr auto halfDuty = "02060005#0000000000400000"; // voltage mode, duty 16384
 
+/// One of the two directions, with the numbers of its parameters and what the status frame says of it.
+struct Way {
+    const char *limit;
+    std::int32_t sign;
+    std::uint8_t normallyClosed;
+    std::uint8_t disabled;
+    std::uint8_t softThreshold;
+    std::uint8_t softEnable;
+    std::uint8_t clearsPosition;
+    int switchHit; ///< the other pin is high
+    int softHit;   ///< and enabled
+    int softEnabled;
+    int overridden; ///< byte 1 of a control frame that switches this one off
+
+    [[nodiscard]] CanFrame half(int flags = 0) const { return control(0, sign * 16384, 0, flags); }
+    [[nodiscard]] CanFrame halfBack() const { return control(0, sign * -16384); }
+};
+constexpr std::array ways{Way{"forward-limit", 1, 1, 2, 5, 6, 43, 0x12, 0x18, 0x10, 0x0A},
+    Way{"reverse-limit", -1, 3, 4, 7, 8, 44, 0x21, 0x60, 0x40, 0x0C}};
+
 TEST(Dmc60cSimulatorLimits, LimitSwitchesBlockTheirDirection)
 {
-    Dmc60cBench bench;
-    bench.wake();
-    bench.drive(halfDuty, 100ms);
-    ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
-    bench.drive(halfDuty, 60ms);
-    EXPECT_EQ(bench.duty(), 0);
-    EXPECT_EQ(bench.last(id::statusGeneral)->data[2], 0x12); // low and hit; the other one high
-    bench.drive("02060005#000000FF00C00000", 60ms);
-    EXPECT_EQ(bench.duty(), -16384);
-    drive(bench, control(0, 16384, 0, 0x0A), 60ms); // override: forward off
-    EXPECT_EQ(bench.duty(), 16384);
-    set(bench, 2, 1);
-    bench.drive(halfDuty, 60ms);
-    EXPECT_EQ(bench.duty(), 16384);
-    ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
-    set(bench, 2, 0);
-    set(bench, 1, 1); // normally closed: open means hit
-    bench.drive(halfDuty, 60ms);
-    EXPECT_EQ(bench.duty(), 0);
+    for (const Way &way : ways) {
+        SCOPED_TRACE(way.limit);
+        Dmc60cBench bench;
+        bench.wake();
+        drive(bench, way.half(), 100ms);
+        EXPECT_EQ(bench.duty(), way.sign * 16384);
+        ASSERT_TRUE(bench.device().disturb(way.limit, 1.0));
+        drive(bench, way.half(), 60ms);
+        EXPECT_EQ(bench.duty(), 0);
+        EXPECT_EQ(bench.last(id::statusGeneral)->data[2], way.switchHit);
+        drive(bench, way.halfBack(), 60ms);
+        EXPECT_EQ(bench.duty(), way.sign * -16384);
+        drive(bench, way.half(way.overridden), 60ms);
+        EXPECT_EQ(bench.duty(), way.sign * 16384);
+        set(bench, way.disabled, 1);
+        drive(bench, way.half(), 60ms);
+        EXPECT_EQ(bench.duty(), way.sign * 16384);
+        ASSERT_TRUE(bench.device().disturb(way.limit, 0.0));
+        set(bench, way.disabled, 0);
+        set(bench, way.normallyClosed, 1); // open means hit
+        drive(bench, way.half(), 60ms);
+        EXPECT_EQ(bench.duty(), 0);
+    }
 }
 
 TEST(Dmc60cSimulatorLimits, SoftLimitsBlockByPosition)
 {
-    Dmc60cBench bench;
-    bench.wake();
-    set(bench, 5, 20000);
-    set(bench, 6, 1);
-    bench.drive(halfDuty, 1s);
-    EXPECT_EQ(bench.duty(), 0);
-    EXPECT_GE(bench.position(), 20000);
-    EXPECT_LT(bench.device().speed(), 1.0);
-    EXPECT_EQ(bench.last(id::statusGeneral)->data[3], 0x18);
-    bench.drive("02060005#000000FF00C00000", 60ms);
-    EXPECT_EQ(bench.duty(), -16384);
+    for (const Way &way : ways) {
+        SCOPED_TRACE(way.limit);
+        Dmc60cBench bench;
+        bench.wake();
+        set(bench, way.softThreshold, way.sign * 20000);
+        set(bench, way.softEnable, 1);
+        drive(bench, way.half(), 1s);
+        EXPECT_EQ(bench.duty(), 0);
+        EXPECT_GE(way.sign * bench.position(), 20000);
+        EXPECT_LT(std::abs(bench.device().speed()), 1.0);
+        EXPECT_EQ(bench.last(id::statusGeneral)->data[3], way.softHit);
+        drive(bench, way.halfBack(), 60ms);
+        EXPECT_EQ(bench.duty(), way.sign * -16384);
+    }
+}
+
+TEST(Dmc60cSimulatorLimits, ASoftLimitIsHitAtItsThresholdAndNotACountBefore)
+{
+    for (const Way &way : ways) {
+        Dmc60cBench bench;
+        bench.wake();
+        set(bench, way.softThreshold, way.sign * 20000);
+        set(bench, way.softEnable, 1);
+        for (const auto &[position, expected] : {std::pair{19999, way.softEnabled}, {20000, way.softHit}}) {
+            set(bench, 41, way.sign * position);
+            bench.advance(100ms);
+            EXPECT_EQ(bench.last(id::statusGeneral)->data[3], expected) << way.limit << ' ' << position;
+        }
+    }
 }
 
 TEST(Dmc60cSimulatorLimits, PositionIsWrittenOnlyWhileTheOutputIsOff)
@@ -65,18 +110,27 @@ TEST(Dmc60cSimulatorLimits, PositionIsWrittenOnlyWhileTheOutputIsOff)
     EXPECT_EQ(answer->data[5], 2);
 }
 
-TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnLimitAndIndex)
+TEST(Dmc60cSimulatorLimits, ClearsItsPositionWhileALimitSwitchIsHitEvenWhereThatIsDisabled)
+{
+    for (const Way &way : ways) {
+        SCOPED_TRACE(way.limit);
+        Dmc60cBench bench;
+        bench.wake();
+        set(bench, way.clearsPosition, 1);
+        set(bench, way.disabled, 1);
+        drive(bench, way.half(), 300ms);
+        EXPECT_GT(way.sign * bench.position(), 0);
+        ASSERT_TRUE(bench.device().disturb(way.limit, 1.0));
+        drive(bench, way.half(), 100ms);
+        EXPECT_EQ(bench.position(), 0);
+        EXPECT_GT(way.sign * bench.device().speed(), 0.0);
+    }
+}
+
+TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnTheIndex)
 {
     Dmc60cBench bench;
     bench.wake();
-    set(bench, 43, 1);
-    set(bench, 2, 1); // clears even with the switch disabled
-    bench.drive(halfDuty, 300ms);
-    ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
-    bench.drive(halfDuty, 100ms);
-    EXPECT_EQ(bench.position(), 0);
-    EXPECT_GT(bench.device().speed(), 0.0);
-    ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
     set(bench, 42, 1);
     set(bench, 45, 1);
     bench.drive(halfDuty, 500ms);
@@ -87,6 +141,24 @@ TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnLimitAndIndex)
         EXPECT_GE(bench.position(), 0);
         EXPECT_LT(bench.position(), 4096 + 200);
         EXPECT_NEAR(std::remainder(turns - bench.position() / 4096.0, 1.0), 0.0, 0.1);
+    }
+}
+
+/// The index is high on one count of a turn.
+TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnTheEdgeOfTheIndexThatItIsTold)
+{
+    for (const Way &way : ways) {
+        for (const bool rising : {false, true}) {
+            Dmc60cBench bench;
+            bench.wake();
+            set(bench, 42, 1);
+            set(bench, 45, rising ? 1 : 0);
+            drive(bench, way.half(), 1s);
+            bench.advance(5s); // it runs down
+            const auto counts = static_cast<std::int64_t>(std::floor(bench.device().position()));
+            ASSERT_GT(std::abs(counts), 4096);
+            EXPECT_EQ((counts - get(bench, 41)) & 4095, rising == (way.sign > 0) ? 0 : 1) << way.sign << ' ' << rising;
+        }
     }
 }
 

@@ -55,8 +55,9 @@ std::string trialsOf(const Family &family)
     std::ostringstream text;
     text << "within " << *trials.bench.travel << ' ' << *trials.bench.speed << ' ' << *trials.bench.current << ' '
          << *trials.bench.duty << ", rate " << trials.rate << ' ' << trials.currentRate << ", raw " << trials.raw.cycle
-         << ' ' << trials.raw.fullDuty << ", nudge " << trials.nudge << ' ' << trials.nudgeTravel << ", hottest "
-         << trials.hottest << ", bus " << trials.lowestBus << ' ' << trials.highestBus;
+         << ' ' << trials.raw.fullDuty << ' ' << trials.raw.integral << ", nudge " << trials.nudge << ' '
+         << trials.nudgeTravel << ", hottest " << trials.hottest << ", bus " << trials.lowestBus << ' '
+         << trials.highestBus;
     for (const LoopGains &loop : trials.loops)
         text << "; " << toString(loop.mode) << (loop.proportional ? " P" : "");
     constexpr std::array bounds{"position", "speed", "current", "duty"};
@@ -104,18 +105,18 @@ TEST(FamilyFigures, WhatADeviceCan)
 TEST(FamilyFigures, WhatATrialMustKnow)
 {
     EXPECT_EQ(trialsOf(familyNamed("dmc60c")),
-        "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
+        "within 2e+07 1.5e+06 150 1, rate 200 1000, raw 0 0 1, nudge 0 0, hottest 85, bus 6 28; velocity; position; "
         "current; position limit.forward.soft.threshold 1 by limit.forward.soft.enabled; position "
         "limit.reverse.soft.threshold 1 by limit.reverse.soft.enabled; current current_limit.continuous 1 by "
         "current_limit.enabled; duty slot#.max_forward 32767");
     EXPECT_EQ(trialsOf(familyNamed("supermodified")),
-        "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280, nudge 20 60, hottest 80, bus 0 1000; position; "
+        "within 1e+06 1e+06 5 1, rate 100 0, raw 0.001024 65280 256, nudge 20 60, hottest 80, bus 0 1000; position; "
         "current limit.current 1000");
     EXPECT_EQ(trialsOf(familyNamed("abstractdc")),
-        "within 5e+06 500000 150 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
+        "within 5e+06 500000 150 1, rate 100 0, raw 0 0 1, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
         "current P");
     EXPECT_EQ(trialsOf(familyNamed("quadquad2drv")),
-        "within 1e+06 100000 10 1, rate 100 0, raw 0 0, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
+        "within 1e+06 100000 10 1, rate 100 0, raw 0 0 1, nudge 0 0, hottest 80, bus 0 1000; velocity; position; "
         "duty limit.power 1; speed limit.velocity 1");
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a board is taken to have because it accepted it, and what not. On virtual time.
+#include "families/quadquad2drv/axisdrives.h"
 #include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/parameters.h"
 #include "support/simulatedsession.h"
 #include "transport/backends/virtualspi.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mb::quadquad2drv {
 namespace {
@@ -51,6 +53,41 @@ struct QuadQuad2DrvAssumed : testing::Test {
     std::vector<Bytes> sent;
     Subscription heard;
 };
+
+TEST(QuadQuad2DrvSetPoint, IsWithinWhatItsModeCanTakeInBothDirections)
+{
+    const auto isGood = [](Mode mode, double target, double velocity = 0.0, double acceleration = 0.0) {
+        SetPoint setPoint;
+        setPoint.mode = mode;
+        setPoint.target = target;
+        setPoint.velocity = velocity;
+        setPoint.acceleration = acceleration;
+        return checkSetPoint(setPoint).has_value();
+    };
+    struct Row {
+        Mode mode;
+        double low;
+        double high;
+        double step;
+        double velocity;
+    };
+    for (const Row &row : {Row{Mode::Duty, -1.0, 1.0, 0.001, 0.0}, {Mode::Velocity, -100'000.0, 100'000.0, 1.0, 0.0},
+             {Mode::RampVelocity, -100'000.0, 100'000.0, 1.0, 0.0},
+             {Mode::Position, -2147483648.0, 2147483647.0, 1.0, 0.0},
+             {Mode::RampPosition, -2147483648.0, 2147483647.0, 1.0, 500.0}}) {
+        EXPECT_TRUE(isGood(row.mode, row.low, row.velocity) && isGood(row.mode, row.high, row.velocity))
+            << toString(row.mode);
+        EXPECT_FALSE(isGood(row.mode, row.low - row.step, row.velocity)) << toString(row.mode);
+        EXPECT_FALSE(isGood(row.mode, row.high + row.step, row.velocity)) << toString(row.mode);
+        EXPECT_FALSE(isGood(row.mode, NAN, row.velocity)) << toString(row.mode);
+    }
+    EXPECT_TRUE(isGood(Mode::RampPosition, 0.0, 100'000.0, 1'000'000.0));
+    EXPECT_FALSE(isGood(Mode::RampPosition, 0.0, 100'001.0, 1'000'000.0));
+    EXPECT_FALSE(isGood(Mode::RampPosition, 0.0, 100'000.0, 1'000'001.0));
+    EXPECT_FALSE(isGood(Mode::RampPosition, 0.0, -1.0, 1000.0) || isGood(Mode::RampVelocity, 0.0, 0.0, -1.0));
+    EXPECT_FALSE(isGood(Mode::RampPosition, 0.0)) << "a ramp without a speed";
+    EXPECT_FALSE(isGood(Mode::Current, 0.0));
+}
 
 TEST_F(QuadQuad2DrvAssumed, ATargetBeyondAKnownLimitOfItsAxisIsSaid)
 {

@@ -151,6 +151,21 @@ TEST(QuadQuad2DrvSamples, AStreamThatNoWishBeganIsNotEndedByOneThatEnds)
     EXPECT_EQ(parseStreamPeriod(bench.asked(PacketId::GetStreamPeriod)), 244);
 }
 
+TEST(QuadQuad2DrvSamples, ABoardWhoseStreamAnotherProgramEndsIsPolledHoweverFastThatWas)
+{
+    for (const std::uint16_t period : {std::uint16_t{1}, std::uint16_t{244}}) {
+        Bench bench;
+        bench.told(setStreamPeriod(period));
+        ASSERT_TRUE(run(bench.bench.clock, bench.device->refresh()));
+        bench.bench.clock.advance(200ms);
+        EXPECT_TRUE(bench.device->liveness().heard) << period;
+        bench.told(setStreamPeriod(0));
+        bench.bench.clock.advance(2s);
+        EXPECT_TRUE(bench.device->liveness().heard) << period;
+        EXPECT_NEAR(bench.device->telemetry()->rate(position, bench.bench.clock.now()), 100.0, 5.0) << period;
+    }
+}
+
 class BoardEnd final : public SpiSlaveLink {
 public:
     BoardEnd()

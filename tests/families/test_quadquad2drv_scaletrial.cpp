@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 
 namespace mb::quadquad2drv {
@@ -71,6 +72,33 @@ TEST(QuadQuad2DrvScaleTrial, AMotorThatRunsFasterThanItsPowerAllowsIsStopped)
     ASSERT_TRUE(search.isAt("looking for velocity P"));
     search.disturb("load-torque", 1.2);
     EXPECT_TRUE(search.endsWithin(300ms));
+    search.expectStopped("faster than the power limit allows");
+}
+
+/// Somebody pushes it more and more, the way it turns.
+TEST(QuadQuad2DrvScaleTrial, AMotorIsStoppedAtSixteenTenthsOfTheSpeedThatItsPowerGivesAndNotBefore)
+{
+    Search search;
+    const auto speed = [&search] { return std::abs(search.bench.board().speed()); };
+    double fastest = 0.0;
+    search.begin();
+    ASSERT_TRUE(search.bench.clock.runUntil(
+        [&] {
+            fastest = std::max(fastest, speed());
+            return search.operation.status().step.english() == "looking for velocity P";
+        },
+        1min));
+    ASSERT_TRUE(search.bench.clock.runUntil([&] { return search.bench.board().speed() < -0.4 * fastest; }, 1min));
+    double torque = 0.3;
+    Timer pushing(search.bench.clock);
+    std::function<void()> push = [&] {
+        search.disturb("load-torque", torque += 0.008);
+        pushing.startIn(20ms, push);
+    };
+    push();
+    ASSERT_TRUE(search.endsWithin(5s));
+    EXPECT_GT(speed(), 1.6 * fastest);
+    EXPECT_LT(speed(), 1.68 * fastest) << "its speed is that of the last 60 ms";
     search.expectStopped("faster than the power limit allows");
 }
 

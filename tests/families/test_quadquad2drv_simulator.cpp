@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated board against literal bytes (quadquad2drv/README.md#vectors) from the other side.
 #include "async/virtualclock.h"
+#include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drv/simulatorboard.h"
 #include "families/quadquad2drvbytes.h"
 #include "transport/backends/virtualspi.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace mb::quadquad2drv::simulation {
 namespace {
@@ -168,6 +172,72 @@ TEST(QuadQuad2DrvSimulator, AHomeSwitchSetsTheCounterAsTheVendorsDemoSaysItDoes)
     bench.clock.advance(10ms);
     EXPECT_EQ(bench.board->axis(0).counter(), 0);
     EXPECT_NE(bench.board->axis(0).takeStatus() & status::inputActive, 0);
+}
+
+/// The reference, chapter 2: 26 and 28 act in both PID modes, and ramps obey them.
+struct Ordered {
+    const char *what;
+    ControlMode mode;
+    Bytes target;
+};
+
+void give(Bench &bench, const Ordered &order, unsigned velocityLimit, unsigned accelerationLimit)
+{
+    for (const Bytes &packet : {setVelocityLimit(1, velocityLimit << 12U),
+             setAccelerationLimit(1, accelerationLimit << 12U), setControlMode(1, order.mode), order.target})
+        EXPECT_EQ(bytesOf(bench.ask(textOf(packet))).at(3), 0) << order.what;
+}
+
+TEST(QuadQuad2DrvSimulator, NoPidModeAndNoRampIsFasterThanTheVelocityLimitNorThanItsRamp)
+{
+    for (const auto &[order, limit] :
+        {std::pair{Ordered{"velocity", ControlMode::Velocity, setVelocityTarget(1, -2000.0, {})}, 500U},
+            {{"position", ControlMode::Position, setPositionTarget(1, -30000)}, 500U},
+            {{"ramp beyond the limit", ControlMode::Position, rampPosition(1, -30000, 1000.0, 100'000.0)}, 500U},
+            {{"ramp below the limit", ControlMode::Position, rampPosition(1, -30000, 500.0, 100'000.0)}, 1000U}}) {
+        Bench bench;
+        give(bench, order, limit, 0);
+        bench.clock.advance(2500ms);
+        for (int i = 0; i < 20; ++i) {
+            EXPECT_NEAR(bench.board->axis(0).velocity(), -500, 40) << order.what;
+            bench.clock.advance(50ms);
+        }
+    }
+}
+
+TEST(QuadQuad2DrvSimulator, NoPidModeAndNoRampGainsSpeedFasterThanTheAccelerationLimitNorThanItsRamp)
+{
+    for (const auto &[order, limit] :
+        {std::pair{Ordered{"velocity", ControlMode::Velocity, setVelocityTarget(1, 2000.0, {})}, 1000U},
+            {{"position", ControlMode::Position, setPositionTarget(1, 30000)}, 1000U},
+            {{"steeper ramp of velocity", ControlMode::Velocity, rampVelocity(1, 2000, 5000.0)}, 1000U},
+            {{"flatter ramp of velocity", ControlMode::Velocity, rampVelocity(1, 2000, 1000.0)}, 5000U},
+            {{"flatter ramp without a limit", ControlMode::Velocity, rampVelocity(1, 2000, 1000.0)}, 0U}}) {
+        Bench bench;
+        give(bench, order, 2000, limit);
+        bench.clock.advance(1s); // it sticks first
+        const int begin = bench.board->axis(0).velocity();
+        bench.clock.advance(500ms);
+        EXPECT_NEAR(bench.board->axis(0).velocity() - begin, 500, 60) << order.what;
+    }
+}
+
+TEST(QuadQuad2DrvSimulator, PositionModeSlowsDownAheadOfItsTargetAsFastAsTheAccelerationLimitAllows)
+{
+    Bench bench;
+    give(bench, {"position", ControlMode::Position, setPositionTarget(1, 3000)}, 1000, 1000);
+    Axis &axis = bench.board->axis(0);
+    bench.clock.advance(2s);
+    ASSERT_NEAR(axis.velocity(), 1000, 60);
+    ASSERT_TRUE(bench.clock.runUntil([&axis] { return axis.velocity() < 500; }, 3s));
+    EXPECT_NEAR(3000 - axis.counter(), 125, 50) << "v²/2a before the target";
+    std::int32_t farthest = 0;
+    for (int i = 0; i < 100; ++i) {
+        bench.clock.advance(10ms);
+        farthest = std::max(farthest, axis.counter());
+    }
+    EXPECT_LT(farthest, 3030);
+    EXPECT_NEAR(axis.counter(), 3000, 20);
 }
 
 } // namespace

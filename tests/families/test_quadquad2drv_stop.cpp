@@ -144,6 +144,17 @@ TEST_F(QuadQuad2DrvStop, AMotionThatIsOrderedBehindItBeginsOnceItIsProven)
     EXPECT_TRUE(std::none_of(begun, sent.end(), [](const Bytes &p) { return isMode(p, ControlMode::Off); }));
 }
 
+TEST_F(QuadQuad2DrvStop, AnAxisThatIsSwitchedOffBehindItIsToldOnceItIsProven)
+{
+    stopProvenLater();
+    SetPoint off;
+    off.mode = Mode::Off;
+    ASSERT_TRUE(device->command(off));
+    bench.clock.advance(1s);
+    EXPECT_TRUE(std::ranges::count(sent, setControlMode(maskOf(0), ControlMode::Off)) > 0);
+    EXPECT_FALSE(device->liveness().axes[0].moving);
+}
+
 TEST_F(QuadQuad2DrvStop, AMoveThatIsOrderedBehindItBeginsWhereTheMotorIsThen)
 {
     const auto place = [this] {

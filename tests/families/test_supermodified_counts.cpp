@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is counted of a Supermodified: positions across its starts, tries of a request, and which node is asked.
+#include "families/supermodified/line.h"
 #include "families/supermodified/motioncount.h"
 #include "families/supermodified/node.h"
+#include "families/supermodified/nodepresence.h"
 #include "families/supermodifiedbench.h"
 
 namespace mb::supermodified {
@@ -39,6 +41,55 @@ TEST(SupermodifiedCount, PositionsGoOnAcrossStartsWhichTheNodeTakesForItsZero)
     count.zeroed();
     EXPECT_EQ(count.origin(), 0);
     EXPECT_EQ(count.position(), 0);
+}
+
+TEST(SupermodifiedCount, AStartWithoutAnswerIsAnotherZeroOnlyWhereTheNodeCountsFromThere)
+{
+    MotionCount count;
+    count.told(700);
+    count.began(setPoint(Mode::Position, 700.0));
+    count.startSent();
+    EXPECT_FALSE(count.mayHaveStarted(690)) << "it counts as before";
+    EXPECT_EQ(count.origin(), 0);
+    EXPECT_TRUE(count.error());
+    EXPECT_FALSE(count.mayHaveStarted(3)) << "the first position after it tells";
+    count.startSent();
+    EXPECT_TRUE(count.mayHaveStarted(3));
+    count.told(3);
+    EXPECT_EQ(count.position(), 703);
+    EXPECT_FALSE(count.error()) << "where its loop wants to be is not known any more";
+    SetPoint distance = setPoint(Mode::Position, 10.0);
+    distance.relative = true;
+    EXPECT_FALSE(count.stepOf(distance, true)) << "nor, then, what adds to that";
+}
+
+/// What tells a node that lost its supply from one that was told to go to 0.
+TEST(SupermodifiedPresence, CountsThatAreGoneAfterASilenceAreARestartUnlessItTakesItsNextMove)
+{
+    struct Row {
+        bool isAsked;
+        void (NodePresence::*answer)();
+        bool hasRestarted;
+    };
+    for (const Row &row : {Row{true, &NodePresence::moved, false}, {true, &NodePresence::notStarted, true},
+             {false, &NodePresence::moved, true}, {false, &NodePresence::notStarted, true}}) {
+        Bench bench;
+        const auto line = Line::of(bench.host, bench.clock);
+        const Node node;
+        NodePresence presence(*line, node, {[] {}, [] {}});
+        presence.located(500, false);
+        (void)presence.missed();
+        (void)presence.answered();
+        presence.located(0, row.isAsked);
+        EXPECT_NE(presence.hasRestarted(), row.isAsked) << "it is asked first";
+        (presence.*row.answer)();
+        EXPECT_EQ(presence.hasRestarted(), row.hasRestarted);
+        presence.notStarted();
+        EXPECT_EQ(presence.hasRestarted(), row.hasRestarted) << "there is no doubt any more";
+        presence.refreshed();
+        presence.notStarted();
+        EXPECT_FALSE(presence.hasRestarted());
+    }
 }
 
 /// A line with a peer that answers every request with the same code.
@@ -127,17 +178,23 @@ TEST_F(OneNode, WhatItsDialectHasNotIsNotAsked)
 
 TEST_F(OneNode, ItIsHeardAgainAsSoonAsItsLineIsBack)
 {
-    bench.clock.advance(500ms);
-    ASSERT_TRUE(device->liveness().heard);
-    bench.host.close();
-    EXPECT_FALSE(device->liveness().heard);
-    bench.clock.advance(5s);
-    ASSERT_TRUE(bench.host.open());
-    bench.clock.advance(100ms);
-    EXPECT_TRUE(device->liveness().heard);
-    bench.sent.clear();
-    bench.clock.advance(1s);
-    EXPECT_GT(bench.count(Command::GetPosition), 5);
+    for (const bool isAsking : {false, true}) {
+        bench.clock.advance(500ms);
+        ASSERT_TRUE(device->liveness().heard);
+        bench.sent.clear();
+        if (isAsking) {
+            ASSERT_TRUE(bench.clock.runUntil([this] { return !bench.sent.empty(); }, 1s));
+        }
+        bench.host.close();
+        EXPECT_FALSE(device->liveness().heard);
+        bench.clock.advance(5s);
+        ASSERT_TRUE(bench.host.open());
+        bench.clock.advance(100ms);
+        EXPECT_TRUE(device->liveness().heard) << "a question was under way: " << isAsking;
+        bench.sent.clear();
+        bench.clock.advance(1s);
+        EXPECT_GT(bench.count(Command::GetPosition), 5);
+    }
 }
 
 /// A node whose answers have these lengths, as the scan lists it.

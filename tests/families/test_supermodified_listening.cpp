@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the line listens before it talks, and how long it waits on a machine that is busy.
+#include "families/supermodified/linepolls.h"
+#include "families/supermodified/linetiming.h"
 #include "families/supermodifiedbench.h"
 
 namespace mb::supermodified {
@@ -329,6 +331,45 @@ TEST_F(SupermodifiedLateAnswers, AfterASettingThatWasNotAnsweredItIsLookedOnceMo
     hear("55 AA 77 04 04 00 04"); // of the first
     EXPECT_EQ(port.count(Command::MoveProfiledRelative), 0);
     EXPECT_EQ(port.count(Command::GetPosition), looks + 1);
+}
+
+TEST(SupermodifiedPolls, OneThatIsTakenAwayIsNotAskedAgainAndTheOthersAre)
+{
+    VirtualClock clock;
+    LinePolls polls(clock, [] {});
+    const auto gone = polls.add({}, 10ms, {});
+    const auto kept = polls.add({}, 10ms, {});
+    polls.remove(gone);
+    EXPECT_FALSE(polls.has(gone));
+    for (int i = 0; i < 3; ++i) {
+        const auto next = polls.next(false);
+        ASSERT_TRUE(next);
+        EXPECT_EQ(next->key, kept);
+        EXPECT_FALSE(polls.next(false));
+        clock.advance(10ms);
+    }
+}
+
+TEST(SupermodifiedPatience, ThatALinkIsGivenIsThatOfTasksOnly)
+{
+    Bench bench;
+    LineTiming timing(bench.host, bench.clock);
+    using enum LineRequest::Rank;
+    const auto patience = [&timing](LineRequest::Rank rank, Duration own = answerTime) {
+        LineRequest request;
+        request.rank = rank;
+        request.patience = own;
+        return timing.patienceFor(request);
+    };
+    for (const auto rank : {Stop, Move, Task, Poll})
+        EXPECT_EQ(patience(rank), answerTime);
+    bench.host.settings().patience.timeout = 3s;
+    for (const auto rank : {Stop, Move, Poll})
+        EXPECT_EQ(patience(rank), answerTime) << "a motor waits for its stop behind it";
+    EXPECT_EQ(patience(Task), 3s);
+    bench.host.settings().patience.timeout = 5ms;
+    EXPECT_EQ(patience(Task), 5ms);
+    EXPECT_EQ(patience(Task, 200ms), 200ms) << "what takes that long is waited for";
 }
 
 } // namespace

@@ -68,6 +68,16 @@ TEST(SupermodifiedMemory, WhoWentIsNotFoundAndWhoCameIs)
     EXPECT_EQ(rows.front().descriptors.front().second, "115200");
 }
 
+TEST(SupermodifiedMemory, WhoCannotBeAskedAtAFixedRateIsForgotten)
+{
+    const auto known = ProgramRun{"supermodified:4,mask=240"}.scan({});
+    ASSERT_EQ(idsOf(known), (std::vector<int>{4}));
+    Bench fixed("sim:serial?bitrate=9600");
+    fixed.add("supermodified:77");
+    EXPECT_EQ(idsOf(fixed.scanAll(known)), (std::vector<int>{77}));
+    EXPECT_FALSE(fixed.host.kept<Roster>().nodes().contains(4)) << "its group is nothing to keep out of";
+}
+
 TEST(SupermodifiedMemory, AnUnusualNewcomerIsFoundOnceSomebodyAsks)
 {
     ProgramRun first{"supermodified:4"};

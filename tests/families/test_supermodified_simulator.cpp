@@ -305,5 +305,26 @@ TEST(SupermodifiedSimulator, RefusesOptionsThatItDoesNotHave)
     }
 }
 
+TEST(SupermodifiedSimulator, WhatIsWrongWithABroadcastIsQueuedUnansweredAndRefusesTheNextStop)
+{
+    constexpr std::string_view stop = "55 AA 04 01 1B 00 1B";
+    for (const auto &[broadcast, refusal] :
+        {std::pair{"55 AA 00 01 CA 00 CA", "55 AA 01 04 FA 01 14 EF"},       // halt, and it is not started
+            std::pair{"55 AA 00 01 CB 00 00", "55 AA 01 04 FA 01 52 A9"}}) { // a bad LRC
+        Talk talk("supermodified:4,baud=115200");
+        EXPECT_TRUE(talk.answer(broadcast).empty()) << broadcast;
+        EXPECT_EQ(talk.answer(stop), bytesOf(refusal)) << broadcast;
+        EXPECT_EQ(talk.answer(stop), bytesOf("55 AA 01 04 1B 00 1B")) << broadcast;
+    }
+    Talk driven("supermodified:4,baud=115200");
+    driven.say("55 AA 04 01 19 00 19");
+    driven.say("55 AA 00 01 CB 00 00");
+    EXPECT_TRUE(driven.simulator.isOutputOn()) << "it was not stopped";
+    driven.say(stop);
+    EXPECT_TRUE(driven.simulator.isOutputOn()) << "nor by the refused one";
+    driven.say(stop);
+    EXPECT_FALSE(driven.simulator.isOutputOn());
+}
+
 } // namespace
 } // namespace mb::supermodified

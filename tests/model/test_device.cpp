@@ -63,6 +63,7 @@ public:
     bool answers = true;
     std::int64_t inForce = 0; ///< what it makes of a value
     bool obeys = true;
+    Fault refusal = Fault::Unsafe; ///< of a write that it does not obey
     Result<void> ownReason;
     int reads = 0;
     int writes = 0;
@@ -86,7 +87,7 @@ private:
         if (!answers)
             co_return fail(Fault::Timeout);
         if (!obeys)
-            co_return fail(Fault::Unsafe);
+            co_return fail(refusal);
         co_return inForce;
     }
     Task<void> doRestart() override
@@ -263,11 +264,15 @@ TEST_F(CommonDevice, PositionsCountFromAnotherPlaceOnceTheirCounterWasWrittenOrM
     EXPECT_TRUE(moves(placeRow));
     EXPECT_FALSE(moves(askedRow)) << "a setting";
     EXPECT_FALSE(moves(countedRow));
-    motor->answers = false;
-    EXPECT_TRUE(moves(placeRow)) << "nobody knows whether it came";
-    motor->answers = true;
     motor->obeys = false;
-    EXPECT_FALSE(moves(placeRow)) << "it was refused";
+    for (const Fault lost : {Fault::Timeout, Fault::LinkLost, Fault::BadReply, Fault::BadCheck, Fault::Cancelled}) {
+        motor->refusal = lost;
+        EXPECT_TRUE(moves(placeRow)) << "nobody knows whether it came: " << static_cast<int>(lost);
+    }
+    for (const Fault refused : {Fault::Unsafe, Fault::Refused, Fault::OutOfRange, Fault::Unsupported}) {
+        motor->refusal = refused;
+        EXPECT_FALSE(moves(placeRow)) << "it did not: " << static_cast<int>(refused);
+    }
 }
 
 TEST_F(CommonDevice, WhileStopIsPressedNothingIsDrivenOrReleased)

@@ -192,5 +192,23 @@ TEST(Snapshot, TellsTheNewestOperationOfADevice)
     EXPECT_EQ(shot.operation({10}), nullptr);
 }
 
+TEST(Snapshot, FindsDevicesByTheirIdAndLinksByTheirAddressAndNobodyElse)
+{
+    Snapshot snapshot;
+    EXPECT_EQ(snapshot.device({1}), nullptr);
+    EXPECT_EQ(snapshot.link("sim:can"), nullptr);
+    snapshot.devices.resize(2);
+    snapshot.devices[0].id = {3};
+    snapshot.devices[1].id = {1};
+    snapshot.links.resize(2);
+    snapshot.links[0].address = "sim:spi";
+    snapshot.links[1].address = "sim:can";
+    EXPECT_EQ(snapshot.device({1}), &snapshot.devices[1]);
+    EXPECT_EQ(snapshot.device({3}), &snapshot.devices[0]);
+    EXPECT_EQ(snapshot.device({2}), nullptr);
+    EXPECT_EQ(snapshot.link("sim:can"), &snapshot.links[1]);
+    EXPECT_EQ(snapshot.link("sim:serial"), nullptr);
+}
+
 } // namespace
 } // namespace mb

@@ -104,6 +104,9 @@ TEST(Parameter, ARawValueIsLegalWithinHalfAStepOfItsBounds)
     EXPECT_FALSE(isLegal(tenths, 14));
     EXPECT_TRUE(isLegal(tenths, -13));
     EXPECT_FALSE(isLegal(tenths, -14));
+    const Parameter below = row(WireType::Int16, 10.0, -1.245, 1.245);
+    EXPECT_TRUE(isLegal(below, 12) && isLegal(below, -12)) << "12.45, rounded";
+    EXPECT_FALSE(isLegal(below, 13) || isLegal(below, -13));
     EXPECT_TRUE(isLegal(gain, 32767 * 65536LL + 32768));
     EXPECT_FALSE(isLegal(gain, 32767 * 65536LL + 32769));
 }

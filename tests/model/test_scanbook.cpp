@@ -72,6 +72,19 @@ TEST_F(Scans, ADamagedFileIsToldAndReplacedByTheNextScan)
     }
 }
 
+TEST_F(Scans, AFileOfMoreThanAMegabyteIsNoneOfOurs)
+{
+    ASSERT_TRUE(book.save(link, {node(4, "57600")}));
+    QFile file(QString::fromStdString(book.pathOf(link)));
+    ASSERT_TRUE(file.open(QIODevice::Append));
+    file.write(QByteArray((1 << 20) - static_cast<int>(file.size()), ' '));
+    file.flush();
+    EXPECT_EQ(book.load(link).value().size(), 1U);
+    file.write(" ");
+    file.flush();
+    EXPECT_FALSE(book.load(link));
+}
+
 std::vector<Identity> answering;  ///< to the scans of `family`
 std::vector<Identity> remembered; ///< what its last scan was told
 
@@ -154,6 +167,24 @@ TEST_F(Scans, AskingForOneDeviceForgetsNobody)
         test::run(program.clock, program.session.connect(*DeviceSelector::parse(address + "/supermodified:5"))));
     program.scan(address);
     EXPECT_EQ(remembered, (std::vector<Identity>{node(4, "57600"), node(5, "9600")}));
+}
+
+/// What was meant for the unit before must not be written to it.
+TEST_F(Scans, AUnitIsThatOfTheSerialNumberWithWhichAScanFoundIt)
+{
+    Program program(folder.path().toStdString());
+    const auto found = [&program](const char *serial) {
+        answering = {node(4, "57600")};
+        answering[0].serial = serial;
+        program.scan("sim:serial");
+        EXPECT_EQ(program.session.devices().size(), 1U);
+        return program.session.idOf(*program.session.devices().front());
+    };
+    const DeviceId first = found("A7");
+    const DeviceId second = found("A8");
+    EXPECT_NE(second, first);
+    EXPECT_EQ(found("A7"), first);
+    EXPECT_EQ(found("A8"), second);
 }
 
 TEST_F(Scans, ASessionWarnsOnceOfADamagedFileAndGoesOn)

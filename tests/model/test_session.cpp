@@ -72,6 +72,29 @@ TEST(Session, TakesAUnitAfterAPowerCycleForTheSame)
     EXPECT_NE(before->identity().session, session);
 }
 
+/// A scan reports a unit before it has asked for its texts.
+TEST(Session, KeepsTheTextsOfAUnitWhileItIsFoundAgainUnlessItHasRestartedSince)
+{
+    SimulatedSession bench;
+    bench.scan();
+    Device *const device = bench.device(5);
+    const Identity known = device->identity();
+    ASSERT_FALSE(known.name.empty() || known.serial.empty() || known.descriptors.empty());
+    bool without = false;
+    const auto listening = device->changed().add([&] {
+        const Identity &now = device->identity();
+        without = without || now.name != known.name || now.serial != known.serial || now.descriptors.empty();
+    });
+    bench.scan();
+    EXPECT_FALSE(without);
+    bench.simulator("dmc60c:5")->setPowered(false);
+    bench.clock.advance(1s);
+    bench.simulator("dmc60c:5")->setPowered(true);
+    bench.scan();
+    EXPECT_TRUE(without) << "until it has told them again it may be another one";
+    EXPECT_EQ(device->identity().serial, known.serial);
+}
+
 TEST(Session, TellsWhenALinkComesAndWhenItGoes)
 {
     test::SimulatedSession bench;

@@ -85,5 +85,17 @@ TEST(CandumpLine, HasNothingForMalformedLines)
         EXPECT_FALSE(parseCandumpLine(text)) << text;
 }
 
+TEST(CandumpLine, OneOfAFlexibleRateHasFlagsAndUpTo64WholeBytes)
+{
+    const std::string head = "(1.000000) can0 12345678##";
+    EXPECT_TRUE(isCandumpFdLine("(1436509052.249713) vcan0 123##1AABBCC"));
+    EXPECT_TRUE(isCandumpFdLine(head + '1'));
+    EXPECT_TRUE(isCandumpFdLine(head + '1' + std::string(128, 'A')));
+    EXPECT_FALSE(isCandumpFdLine(head + '1' + std::string(130, 'A')));
+    EXPECT_FALSE(isCandumpFdLine(head + "1A"));
+    EXPECT_FALSE(isCandumpFdLine(head));
+    EXPECT_FALSE(isCandumpFdLine("(1.000000) can0 123#AABBCC"));
+}
+
 } // namespace
 } // namespace mb

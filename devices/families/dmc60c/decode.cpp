@@ -91,18 +91,15 @@ double target(const CanFrame &f)
 
 double generalError(const CanFrame &f)
 {
-    const auto status = decodeStatusGeneral(f);
-    return status ? errorOf(*status) : 0.0;
+    return errorOf(decodeStatusGeneral(f).value_or(StatusGeneral()));
 }
 double position(const CanFrame &f)
 {
-    const auto status = decodeStatusEncoder(f);
-    return status ? status->position : 0.0;
+    return decodeStatusEncoder(f).value_or(StatusEncoder()).position;
 }
 double velocity(const CanFrame &f)
 {
-    const auto status = decodeStatusEncoder(f);
-    return status ? status->velocity : 0.0;
+    return decodeStatusEncoder(f).value_or(StatusEncoder()).velocity;
 }
 
 /// The value field at `At` of the parameter whose number is at `Number`.

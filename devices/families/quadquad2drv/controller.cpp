@@ -6,6 +6,8 @@
 #include "families/quadquad2drv/scan.h"
 #include "model/family.h"
 
+#include <utility>
+
 namespace mb::quadquad2drv {
 namespace {
 
@@ -140,7 +142,9 @@ void Controller::look()
     if ((streamGone || m_layout.isInDoubt(m_heard)) && !m_checking && gate().busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
-        m_scope.spawn<void>(m_layout.check(), [this, followOwedRate](const Result<void> &answered) {
+        // another program may have ended the stream
+        auto looking = streamGone && !m_heard ? m_layout.read() : m_layout.check();
+        m_scope.spawn<void>(std::move(looking), [this, followOwedRate](const Result<void> &answered) {
             m_checking = false;
             if (answered)
                 followOwedRate();
@@ -160,7 +164,6 @@ void Controller::onReset()
     m_orders.clear();
     m_sense.forget();
     knowledge().settingsLost();
-    changed().notify();
     schedulePoll();
     updateLiveness();
 }
