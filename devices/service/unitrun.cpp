@@ -56,6 +56,7 @@ UnitRun::UnitRun(
         m_visit.trial.reset();
         m_visit.test.clear();
     }
+    m_around.experiments.start = &m_start;
     m_visit.imageHash = m_around.matter.imageHash;
     if (m_visit.from.empty() && !isEnded(Step::Firmware))
         m_visit.from = device.identity().firmware;
