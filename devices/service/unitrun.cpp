@@ -296,7 +296,11 @@ Task<TestFinding> UnitRun::testOnce()
     co_await m_around.permit->beforeMotion(m_device, wanted, m_progress);
     co_await goesOn(say("stopped before its motor turned"));
     const PermittedMotion turning(*m_around.permit, m_around.experiments.interruption);
-    co_return co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments);
+    Result<TestFinding> finding = co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments).attempt();
+    const bool stands = !finding || finding->ending == Ending::None;
+    if (stands && m_around.leftOut && *m_around.leftOut)
+        co_return fail(Fault::Cancelled);
+    co_return finding;
 }
 
 /// Samples that were lost on the way say nothing of the motor: while the unit answers, the test is done again.
