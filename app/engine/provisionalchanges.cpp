@@ -177,7 +177,7 @@ std::vector<UnconfirmedView> ProvisionalChanges::views() const
         if (!device)
             continue;
         UnconfirmedView view{entry.device, entry.change.number, settings::textOf(device->family(), entry.change),
-            stateOf(entry.confirmation), 0.0};
+            stateOf(entry.confirmation), 0.0, entry.change.unit};
         if (entry.confirmation)
             view.left = std::chrono::duration<double>(entry.confirmation->left(m_context.clock.now())).count();
         views.push_back(std::move(view));
