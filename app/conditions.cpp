@@ -161,7 +161,8 @@ void Conditions::followOwed()
             const QString values = QString::fromStdString(tuning::assignmentsOf(*device->family, owed.values));
             post(key, BannerKind::Caution,
                 tr("Trial #%1 on %2 was cut before it put its gains back").arg(owed.trial).arg(titleOf(*device)),
-                tr("Before it: %1. The motor must stand.").arg(values), tr("Put them back"), tr("Keep what it has"));
+                placeCaveat(owed.unit) + tr("Before it: %1. The motor must stand.").arg(values), tr("Put them back"),
+                tr("Keep what it has"));
         }
     }
 }

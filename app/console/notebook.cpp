@@ -27,6 +27,13 @@ Result<std::unique_ptr<Database>> openNotebook()
 
 namespace {
 
+std::string causeOf(const tuning::OwedGains &debt)
+{
+    const std::string caveat(unitCaveatOf(unitByOf(debt.unit)));
+    return "trial " + std::to_string(debt.trial) + " did not put back what it changed"
+        + (caveat.empty() ? "" : " (" + caveat + ")");
+}
+
 /// Of a unit that stores by itself a while after a write, where there is one.
 void beginHistory(Console &console, const Device &device, std::optional<Notebook> &notebook)
 {
@@ -164,14 +171,6 @@ Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
     co_return owed.value_or(std::vector<tuning::OwedGains>());
 }
 
-std::string Notebook::causeOf(const Device &device, const tuning::OwedGains &debt) const
-{
-    const std::string unit = unitKeyOf(device);
-    const std::string caveat(unitCaveatOf(unitByOf(m_settings ? m_settings->resolved(unit) : unit)));
-    return "trial " + std::to_string(debt.trial) + " did not put back what it changed"
-        + (caveat.empty() ? "" : " (" + caveat + ")");
-}
-
 Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<ParameterChange> written)
 {
     const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
@@ -183,7 +182,7 @@ Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<P
             });
         });
         if (!isReplaced)
-            lines.push_back(causeOf(device, debt) + "; 'motorbenchctl set " + device.selector() + ' '
+            lines.push_back(causeOf(debt) + "; 'motorbenchctl set " + device.selector() + ' '
                 + tuning::assignmentsOf(device.family(), debt.values) + "' does");
     }
     co_return lines;
@@ -193,7 +192,7 @@ Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
     const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
     for (const tuning::OwedGains &debt : owed) {
-        const std::string what = causeOf(device, debt);
+        const std::string what = causeOf(debt);
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);
         bool puts = agreed;
         if (!puts) {

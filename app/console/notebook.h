@@ -68,7 +68,6 @@ public:
 private:
     /// Owed by trials that have ended; a note says what a living program tries.
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(Device &device);
-    [[nodiscard]] std::string causeOf(const Device &device, const tuning::OwedGains &debt) const;
 
     Console &m_console;
     std::optional<Error> m_trouble;

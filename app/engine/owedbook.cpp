@@ -106,6 +106,9 @@ void OwedBook::carryOut(const orders::PayGains &order, const Finished &finished)
         return finished(fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
     if (auto same = m_context.operations.checkRecognised(order.device); !same)
         return finished(same);
+    if (Device *unit = m_context.session.find(order.device); unit && m_context.session.stream(*unit).isRunning())
+        return finished(
+            fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first")));
     m_context.operations.begin(
         order.device, say("Put gains back"),
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },

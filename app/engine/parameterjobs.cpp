@@ -8,7 +8,6 @@
 #include "settings/storing.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace mb {
 namespace {
@@ -149,11 +148,10 @@ Task<void> ParameterJobs::askWhose(Device &device)
         co_return {};
     const std::vector<settings::SettingsChange> changes = co_await m_settings->changesOf(unitKeyOf(device));
     const std::string unit = changes.empty() ? unitKeyOf(device) : changes.back().unit;
-    Consent &consent = m_consents[m_context.session.idOf(device)];
-    if (unitByOf(unit) != UnitBy::Place || std::exchange(consent.holds, true))
+    std::unique_ptr<HeardSince> &consent = m_consents[m_context.session.idOf(device)];
+    if (unitByOf(unit) != UnitBy::Place || (consent && consent->holds()))
         co_return {};
-    consent.hearing
-        = device.changed().add([&consent, &device] { consent.holds = consent.holds && device.liveness().heard; });
+    consent = std::make_unique<HeardSince>(device);
     co_return fail(Fault::Unsafe, say("this place, not this unit: what is kept may be of another"),
         say("do it once more if it is the same"));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/engine/heardsince.h"
 #include "app/engine/provisionalchanges.h"
 #include "settings/settingslog.h"
 #include "settings/writing.h"
@@ -8,6 +9,7 @@
 #include "widgets/orders/settingsorders.h"
 
 #include <map>
+#include <memory>
 
 namespace mb {
 
@@ -51,12 +53,7 @@ private:
     EngineContext m_context;
     ProvisionalChanges &m_provisional;
     settings::SettingsLog *m_settings = nullptr;
-    /// That the unit in a place is the one which what is kept there is of, as long as it is heard.
-    struct Consent {
-        bool holds = false;
-        Subscription hearing;
-    };
-    std::map<DeviceId, Consent> m_consents;
+    std::map<DeviceId, std::unique_ptr<HeardSince>> m_consents; ///< what is kept of its place is of this unit
 };
 
 } // namespace mb

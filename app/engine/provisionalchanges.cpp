@@ -2,6 +2,7 @@
 #include "app/engine/provisionalchanges.h"
 
 #include "model/family.h"
+#include "model/unit.h"
 #include "settings/history.h"
 
 #include <algorithm>
@@ -27,12 +28,6 @@ UnconfirmedView::State stateOf(const std::optional<Confirmation> &confirmation)
     return UnconfirmedView::State::Offered;
 }
 
-/// What was counted while the link was there is offered when it is back: people may have been at the unit meanwhile.
-bool isCutOff(const Device &device, const Confirmation &confirmation)
-{
-    return confirmation.state() != Confirmation::State::AwaitsRestart && device.link().state() != LinkState::Open;
-}
-
 /// In force only when it has restarted: then nobody could offer it before.
 bool actsLater(const Family &family, const SettingsChange &change)
 {
@@ -49,6 +44,17 @@ ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
     , m_timer(context.clock)
     , m_asking(context.clock)
 {
+}
+
+/// What was counted while the link was there is offered when it is back: people may have been at the unit meanwhile. Of a place another
+/// unit may stand there once none was heard.
+bool ProvisionalChanges::Entry::isCutOff(Device &unit)
+{
+    if (confirmation->state() == Confirmation::State::AwaitsRestart)
+        return false;
+    if (!heard)
+        heard = std::make_unique<HeardSince>(unit);
+    return unit.link().state() != LinkState::Open || (unitByOf(change.unit) == UnitBy::Place && !heard->holds());
 }
 
 ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t change)
@@ -107,8 +113,8 @@ void ProvisionalChanges::tick()
     std::vector<std::pair<DeviceId, std::int64_t>> due;
     bool counts = false;
     for (Entry &entry : m_entries) {
-        const Device *device = m_context.session.find(entry.device);
-        if (device && entry.confirmation && isCutOff(*device, *entry.confirmation))
+        Device *device = m_context.session.find(entry.device);
+        if (device && entry.confirmation && entry.isCutOff(*device))
             entry.confirmation.reset();
         if (!device || !entry.confirmation)
             continue;
@@ -171,7 +177,7 @@ std::vector<UnconfirmedView> ProvisionalChanges::views() const
         if (!device)
             continue;
         UnconfirmedView view{entry.device, entry.change.number, settings::textOf(device->family(), entry.change),
-            stateOf(entry.confirmation), 0.0};
+            stateOf(entry.confirmation), 0.0, entry.change.unit};
         if (entry.confirmation)
             view.left = std::chrono::duration<double>(entry.confirmation->left(m_context.clock.now())).count();
         views.push_back(std::move(view));

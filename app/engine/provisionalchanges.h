@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/engine/heardsince.h"
 #include "app/engine/operations.h"
 #include "async/scope.h"
 #include "settings/confirmation.h"
 #include "widgets/orders/settingsorders.h"
 
 #include <list>
+#include <memory>
 
 namespace mb {
 
@@ -31,6 +33,8 @@ private:
         DeviceId device;
         settings::SettingsChange change;
         std::optional<settings::Confirmation> confirmation; ///< nothing: it is offered
+        std::unique_ptr<HeardSince> heard{};                ///< since its time began
+        [[nodiscard]] bool isCutOff(Device &unit);
     };
     void take(DeviceId id, const std::vector<settings::SettingsChange> &open, bool counting);
     void tick();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/servicejobs.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -123,6 +125,8 @@ void ServiceJobs::leave()
 void ServiceJobs::queueChanged()
 {
     choose();
+    m_permit.setServed(std::ranges::any_of(
+        m_queue->rows(), [](const service::QueueRow &row) { return row.state == service::RowState::Running; }));
     m_changed.notify();
 }
 
@@ -231,7 +235,6 @@ void ServiceJobs::ended(const service::Visit &visit)
 {
     if (visit.outcome == service::Outcome::Failed)
         m_permit.disarmNext();
-    m_permit.restart();
     m_unitEnded.notify(visit);
     m_changed.notify();
 }

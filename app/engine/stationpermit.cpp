@@ -6,6 +6,7 @@
 #include "model/session.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -66,6 +67,12 @@ void StationPermit::disarmNext()
         set(MayTurn::WhatTurns);
 }
 
+void StationPermit::setServed(bool on)
+{
+    if (std::exchange(m_isServed, on) != on)
+        restart();
+}
+
 void StationPermit::restart()
 {
     m_end = m_clock.now() + armedTime;
@@ -75,6 +82,8 @@ void StationPermit::restart()
 /// Whoever armed it has left when the computer has slept.
 void StationPermit::look()
 {
+    if (m_isServed)
+        m_end = m_clock.now() + armedTime;
     if (!isArmed())
         m_until.stop();
     else if (m_clock.now() >= m_end || m_clock.slept() - m_slept > asleep)
@@ -91,7 +100,6 @@ Task<void> StationPermit::beforeMotion(const Device &device, const service::Self
         co_await untilArmed(device, progress);
         arming = m_armings;
         const Counted announcing(m_announcing);
-        restart();
         m_changed.notify();
         co_await Sleep(m_clock, announcement);
         look(); // who sleeps in the last second of it is not there either

@@ -19,8 +19,8 @@ public:
     void arm(bool on);
     /// No other motor: a self-test that runs elsewhere goes on.
     void disarmNext();
-    /// A unit has come or gone: the five minutes begin anew.
-    void restart();
+    /// Whether a unit is there: the five minutes begin when none is any more.
+    void setServed(bool on);
     /// Nobody will arm any more: units that wait for it are cut off; until the next queue begins.
     void setLeaving(bool on) { m_isLeaving = on; }
 
@@ -41,6 +41,7 @@ public:
 private:
     [[nodiscard]] bool isArmed() const { return m_mayTurn == MayTurn::Every; }
     void set(MayTurn mayTurn);
+    void restart();
     void look();
     [[nodiscard]] Task<void> untilArmed(const Device &device, Progress &progress);
 
@@ -49,6 +50,7 @@ private:
     int m_armings = 0;
     Instant m_end{};
     Duration m_slept{}; ///< Clock::slept() when it was armed
+    bool m_isServed = false;
     int m_announcing = 0;
     int m_waiting = 0;
     bool m_isLeaving = false;

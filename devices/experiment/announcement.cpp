@@ -47,10 +47,10 @@ std::optional<double> speedOf(const ExperimentPlan &plan, const Stimulus &stimul
 
 /// Pushes go on where the one before has ended; a set-point of speed is followed until its end, and once more on the way back to 0.
 std::optional<double> travelOf(
-    const ExperimentPlan &plan, const Stimulus &stimulus, double origin, std::optional<double> speed, double lag)
+    const ExperimentPlan &plan, const Stimulus &stimulus, double place, std::optional<double> speed, double lag)
 {
     if (plan.mode == Mode::Position)
-        return beyondTarget * std::max(std::abs(stimulus.from - origin), std::abs(stimulus.to - origin));
+        return beyondTarget * std::max(std::abs(stimulus.from - place), std::abs(stimulus.to - place));
     if (plan.reach)
         return (rollsOn * *plan.reach + speed.value_or(0.0) * std::max(lag - stopLag, 0.0)) * plan.repeat;
     return speed ? std::optional(rollsOn * *speed * stimulus.length() * plan.repeat) : std::nullopt;
@@ -71,7 +71,7 @@ void announceDirection(
 
 } // namespace
 
-Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag)
+Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag, double gone)
 {
     const Envelope &envelope = trial.envelope;
     const Stimulus &stimulus = trial.stimulus;
@@ -79,7 +79,9 @@ Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, d
     extent.duty = plan.mode == Mode::Duty ? std::max(std::abs(stimulus.from), std::abs(stimulus.to))
                                           : envelope.duty.value_or(1.0);
     extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), stopSpeed(envelope));
-    extent.travel = least(travelOf(plan, stimulus, origin, extent.speed, lag), envelope.travel);
+    extent.travel = travelOf(plan, stimulus, origin + gone, extent.speed, lag);
+    if (envelope.travel)
+        extent.travel = least(extent.travel, *envelope.travel + std::abs(gone));
     return extent;
 }
 
@@ -97,7 +99,7 @@ Message textOf(const Extent &extent)
 }
 
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
-    const Trial &trial, double origin)
+    const Trial &trial, double origin, double gone)
 {
     if (plan.limits.current && !trial.envelope.current)
         surroundings.caution(
@@ -106,7 +108,7 @@ void announce(const Device &device, const ExperimentSurroundings &surroundings, 
         return;
     announceDirection(device, surroundings, plan, trial);
     const double lag = surroundings.directions ? surroundings.directions->lag(device.selector(), plan.axis) : 0.0;
-    surroundings.note(textOf(extentOf(plan, trial, origin, plan.announced.value_or(0.0), lag)));
+    surroundings.note(textOf(extentOf(plan, trial, origin, plan.announced.value_or(0.0), lag, gone)));
 }
 
 } // namespace mb::tuning

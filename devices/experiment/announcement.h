@@ -13,9 +13,9 @@ struct Extent {
 };
 
 /// `gain` of the motor, counts/s per duty at most; 0: not known, and its guards alone are the bound. `lag`: s in which it stops, where
-/// that is known.
+/// that is known. Its travel is counted from `origin`, `gone` counts from which it stands.
 [[nodiscard]] Extent extentOf(
-    const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag = 0.0);
+    const ExperimentPlan &plan, const Trial &trial, double origin, double gain, double lag = 0.0, double gone = 0.0);
 
 /// Of whatever stays within these bounds, where nothing more is known of it.
 [[nodiscard]] Extent extentOf(const Envelope &bounds);
@@ -26,6 +26,6 @@ struct Extent {
 /// Says it before the motor moves; the check of its direction, where that comes first, too, and a limit of current that was given and
 /// that nobody can hold.
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
-    const Trial &trial, double origin);
+    const Trial &trial, double origin, double gone);
 
 } // namespace mb::tuning

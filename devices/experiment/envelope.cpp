@@ -74,13 +74,13 @@ tl::unexpected<Error> outside(const Message &what, double value, double limit)
         say("take a smaller step or widen it"));
 }
 
-double wayOf(const Stimulus &stimulus)
+double wayOf(const Stimulus &stimulus, int repeat, double gone)
 {
     double way = 0.0;
-    double farthest = 0.0;
+    double farthest = std::abs(gone);
     for (double t = 0.0; t < stimulus.length(); t += wayStep) {
         way += stimulus.at(t) * wayStep;
-        farthest = std::max(farthest, std::abs(way));
+        farthest = std::max(farthest, std::abs(gone + way * repeat));
     }
     return farthest;
 }
@@ -201,7 +201,8 @@ Result<Envelope> resolve(
         say("give %1", together(missing)));
 }
 
-Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position)
+Result<void> checkInside(
+    const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double origin, double gone)
 {
     const double most = std::max(std::abs(stimulus.from), std::abs(stimulus.to));
     const double none = std::numeric_limits<double>::infinity();
@@ -212,14 +213,10 @@ Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &st
         return outside(say("current"), most, *envelope.current);
     if (mode == Mode::Velocity && most > envelope.speed.value_or(none))
         return outside(say("speed"), most, *envelope.speed);
-    if (mode == Mode::Velocity && wayOf(stimulus) * repeat > travel)
-        return outside(say("travel"), wayOf(stimulus) * repeat, travel);
-    if (mode == Mode::Position) {
-        const double farthest = std::max(std::abs(stimulus.from - position), std::abs(stimulus.to - position));
-        if (farthest > travel)
-            return outside(say("travel"), farthest, travel);
-    }
-    return {};
+    double farthest = mode == Mode::Velocity ? wayOf(stimulus, repeat, gone) : 0.0;
+    if (mode == Mode::Position)
+        farthest = std::max(std::abs(stimulus.from - origin), std::abs(stimulus.to - origin));
+    return farthest > travel ? outside(say("travel"), farthest, travel) : Result<void>();
 }
 
 } // namespace mb::tuning

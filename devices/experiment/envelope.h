@@ -46,8 +46,9 @@ struct EnvelopeFacts {
 [[nodiscard]] Result<Envelope> resolve(
     const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own);
 
-/// OutOfRange with the numbers when a stimulus would leave the envelope from where the motor stands.
+/// OutOfRange with the numbers when a stimulus would leave the envelope, whose travel is counted from `origin`; the motor stands `gone`
+/// counts from there.
 [[nodiscard]] Result<void> checkInside(
-    const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position);
+    const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double origin, double gone = 0.0);
 
 } // namespace mb::tuning

@@ -25,6 +25,7 @@ struct OwedGains {
     std::vector<OwedValue> values;
     bool isPutBack = false;  ///< but the unit may not have it for good
     bool isUnderWay = false; ///< another program is making this trial, and puts it back itself
+    std::string unit{};      ///< whose, as the notebook calls it (model/unit.h)
 
     friend bool operator==(const OwedGains &, const OwedGains &) = default;
 };

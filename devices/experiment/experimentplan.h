@@ -53,6 +53,9 @@ struct ExperimentSurroundings {
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
     double rate = 0.0; ///< samples per second to ask for; 0: what its family says
+    /// Counts, from where the travel of all experiments that share it is counted: the first that moves the motor says it. nullptr: each
+    /// has its own.
+    std::optional<double> *start = nullptr;
     /// Once, when all is checked and before the first gain is written or anything moves; where it fails, so does the experiment.
     std::function<Task<void>()> before;
     std::function<void(const Message &)> note; ///< a line for people: what happens now

@@ -12,6 +12,7 @@
 #include "model/family.h"
 
 #include <cmath>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
@@ -50,7 +51,7 @@ void ExperimentRun::note(const Message &text) const
         m_around.note(text);
 }
 
-Task<void> ExperimentRun::hearPosition()
+Task<double> ExperimentRun::hearPosition()
 {
     const Instant limit = m_device.clock().now() + hearLimit;
     while (!m_recorder.latest("position") || !m_device.liveness().heard) {
@@ -58,30 +59,31 @@ Task<void> ExperimentRun::hearPosition()
             co_return fail(Fault::Timeout, say("%1 does not tell its position", m_device.selector()));
         co_await Sleep(m_device.clock(), hearPeriod);
     }
-    m_origin = *m_recorder.latest("position");
-    co_return {};
+    co_return *m_recorder.latest("position");
 }
 
 Task<void> ExperimentRun::prepare()
 {
     co_await m_device.mayMove();
-    co_await hearPosition();
+    double place = co_await hearPosition();
+    m_start.origin = m_around.start ? m_around.start->value_or(place) : place;
+    m_start.gone = place - m_start.origin;
     const bool counted = m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
-    if (counted)
-        m_origin = 0.0; // it counts from its start
-    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
+    if (counted) // from its start
+        m_start.origin -= std::exchange(place, 0.0);
+    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_start.origin);
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
     const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
     if (!envelope)
         co_return fail(envelope.error());
-    const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? m_origin : 0.0);
+    const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? place : 0.0);
     const auto stimulus = Stimulus::make(
         m_plan.profile, from, m_plan.to, m_plan.seconds, inSeconds(m_device.family().capabilities.commandPeriod));
     if (!stimulus)
         co_return fail(stimulus.error());
     if (stimulus->from == stimulus->to)
         co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another target"));
-    co_await checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin);
+    co_await checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_start.origin, m_start.gone);
     m_trial.stimulus = *stimulus;
     m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
     m_trial.envelope = *envelope;
@@ -108,10 +110,12 @@ Task<void> ExperimentRun::perform()
         m_trial.flags.emplace_back(flag::restartNeeded);
     co_await writeDown();
     co_await zero();
+    if (m_around.start)
+        *m_around.start = m_start.origin; // in the counts of now
     co_await m_rates.raise(m_plan.axis, rate(), m_around);
     if (!m_plan.intent.empty())
         note(m_plan.intent);
-    announce(m_device, m_around, m_plan, m_trial, m_origin);
+    announce(m_device, m_around, m_plan, m_trial, m_start.origin, m_start.gone);
     co_await findDirection();
     if (const Message caution = m_device.caution(m_motion.setPointAt(m_trial.stimulus.to)); !caution.empty())
         m_around.caution(caution);
@@ -173,7 +177,7 @@ GuardPlan ExperimentRun::guardPlan() const
     const Stimulus &stimulus = m_trial.stimulus;
     GuardPlan plan;
     plan.envelope = m_trial.envelope;
-    plan.origin = m_origin;
+    plan.origin = m_start.origin;
     plan.swing = std::abs(stimulus.to - stimulus.from);
     plan.noise = m_plan.noise;
     plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
@@ -201,7 +205,10 @@ Task<void> ExperimentRun::findDirection()
         co_return {};
     }
     m_moved = true;
-    auto checking = checkDirection(m_device, m_stream, m_recorder, m_plan.axis, guardPlan(), m_trip);
+    GuardPlan guards = guardPlan();
+    if (m_device.family().trials->nudge > 0.0) // a short way, from where it stands
+        guards.origin += m_start.gone;
+    auto checking = checkDirection(m_device, m_stream, m_recorder, m_plan.axis, guards, m_trip);
     const Result<double> duty = co_await std::move(checking).attempt();
     m_recorder.unguard();
     if (!duty)

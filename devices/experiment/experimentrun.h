@@ -27,7 +27,12 @@ public:
     [[nodiscard]] bool hasResult() const { return m_moved || m_user.isRequested(); }
 
 private:
-    [[nodiscard]] Task<void> hearPosition();
+    /// Counts.
+    struct Start {
+        double origin = 0.0; ///< from where its travel is counted
+        double gone = 0.0;   ///< from there to where it stands
+    };
+    [[nodiscard]] Task<double> hearPosition();
     [[nodiscard]] Task<void> writeDown();
     [[nodiscard]] Task<void> zero();
     [[nodiscard]] Task<void> findDirection();
@@ -46,7 +51,7 @@ private:
     TrialRecorder m_recorder;
     Trial m_trial;
     ExperimentMotion m_motion;
-    double m_origin = 0.0; ///< counts
+    Start m_start;
     double m_breakaway = 0.1;
     std::optional<Trip> m_trip;
     std::optional<std::int64_t> m_number;

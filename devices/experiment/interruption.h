@@ -19,6 +19,8 @@ public:
             m_stream->stop();
     }
     [[nodiscard]] bool isRequested() const { return m_isRequested; }
+    /// A story is under way that ends by it, and puts back what it has changed.
+    [[nodiscard]] bool hasStory() const { return m_stream; }
 
 private:
     friend class Interruptible;

@@ -7,6 +7,7 @@
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
 #include "model/family.h"
+#include "model/standstill.h"
 #include "model/unit.h"
 
 #include <algorithm>
@@ -121,6 +122,7 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
 
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
+    co_await standsStill(device);
     (void)co_await confirmStop(device);
     if (const bool rests = co_await untilAtRest(device);
         !rests || !device.isSeenStopped()) // another may drive a motor that is blocked

@@ -104,7 +104,8 @@ struct UnconfirmedView {
     std::int64_t change = 0; ///< its number in the history
     Message text;            ///< "current_limit.peak: 60 -> 80"
     State state = State::Offered;
-    double left = 0.0; ///< s
+    double left = 0.0;  ///< s
+    std::string unit{}; ///< whose, as the history calls it (model/unit.h)
 };
 
 /// A link that was asked for and could not be opened.

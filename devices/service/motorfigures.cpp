@@ -6,8 +6,8 @@
 #include "tuning/identification.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace mb::service {
 namespace {
@@ -66,6 +66,18 @@ std::pair<double, double> measureOut(const Pushing &pushing, const std::vector<t
     return {duty, std::max(seconds, 0.1)};
 }
 
+/// There and back, so that it stands about where it stood; whether the next may begin.
+Task<bool> pushBothWays(Pushing &pushing, double duty, double seconds)
+{
+    for (const double each : {duty, -duty}) {
+        auto next = push(pushing, each, seconds);
+        pushing.trials.push_back(co_await std::move(next));
+        if (!pushing.trials.back().mayGoOn())
+            co_return false;
+    }
+    co_return true;
+}
+
 bool wentWith(const Trial &trial)
 {
     const tuning::Signal *const position = trial.signal("position");
@@ -90,12 +102,6 @@ void conclude(const std::vector<Trial> &trials, MotorFigures &figures)
         figures.resistance = ohm->supply / ohm->gain;
 }
 
-/// The next push may begin.
-bool isEndedWell(const Trial &trial)
-{
-    return trial.mayGoOn();
-}
-
 } // namespace
 
 Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis, int slot, Envelope limits,
@@ -103,22 +109,18 @@ Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis
 {
     Pushing pushing{device, stream, axis, slot, limits, std::move(surroundings), {}};
     MotorFigures figures;
-    const Trial probe = co_await push(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
-    if (!isEndedWell(probe)) {
-        figures.ended = probe;
-        co_return figures;
+    bool goesOn = co_await pushBothWays(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
+    if (goesOn) {
+        const auto probes = std::exchange(pushing.trials, {});
+        const auto [duty, seconds] = measureOut(pushing, tuning::pushesOf(probes.front()));
+        goesOn = co_await pushBothWays(pushing, duty, seconds);
+        if (goesOn)
+            goesOn = co_await pushBothWays(pushing, weaker * duty, seconds);
     }
-    const auto [duty, seconds] = measureOut(pushing, tuning::pushesOf(probe));
-    const std::array<double, 4> duties{duty, -duty, weaker * duty, -weaker * duty};
-    for (const double each : duties) {
-        auto next = push(pushing, each, seconds);
-        pushing.trials.push_back(co_await std::move(next));
-        if (!isEndedWell(pushing.trials.back())) {
-            figures.ended = pushing.trials.back();
-            co_return figures;
-        }
-    }
-    conclude(pushing.trials, figures);
+    if (goesOn)
+        conclude(pushing.trials, figures);
+    else
+        figures.ended = std::move(pushing.trials.back());
     co_return figures;
 }
 

@@ -342,6 +342,7 @@ ServiceSurroundings QueueBus::surroundings(Row &row, Telling &telling)
     out.experiments.note = [&telling](const Message &text) { telling.log(Severity::Info, text); };
     out.written = [&telling](const Visit &visit) { telling.written(visit); };
     out.taken = m_rows.numbersBeside(row);
+    out.leftOut = &m_wantsSkip;
     return out;
 }
 
@@ -396,7 +397,9 @@ bool QueueBus::skip(std::uint32_t id)
         return false;
     if (row == m_serving) {
         m_wantsSkip = true;
-        if (m_operation)
+        if (m_interruption->hasStory()) // which brings motor and rates to rest; what it was of ends by itself then
+            m_interruption->interrupt();
+        else if (m_operation)
             (void)m_operation->cancel();
     } else if (row->shown->state == RowState::Waiting) {
         row->shown.edit().state = RowState::Skipped;

@@ -51,6 +51,7 @@ struct ServiceSurroundings {
     MotionPermit *permit = nullptr;             ///< nullptr: nothing moves, and a recipe with a self-test fails
     std::set<int> taken;                        ///< numbers of others on this link
     std::function<void(const Visit &)> written; ///< what the journal has by now
+    const bool *leftOut = nullptr;              ///< whether nothing is to be judged any more: the visit stays open
 };
 
 } // namespace mb::service

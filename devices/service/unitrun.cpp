@@ -56,6 +56,7 @@ UnitRun::UnitRun(
         m_visit.trial.reset();
         m_visit.test.clear();
     }
+    m_around.experiments.start = &m_start;
     m_visit.imageHash = m_around.matter.imageHash;
     if (m_visit.from.empty() && !isEnded(Step::Firmware))
         m_visit.from = device.identity().firmware;
@@ -295,7 +296,11 @@ Task<TestFinding> UnitRun::testOnce()
     co_await m_around.permit->beforeMotion(m_device, wanted, m_progress);
     co_await goesOn(say("stopped before its motor turned"));
     const PermittedMotion turning(*m_around.permit, m_around.experiments.interruption);
-    co_return co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments);
+    Result<TestFinding> finding = co_await runSelfTest(m_device, m_stream, wanted, m_around.experiments).attempt();
+    const bool stands = !finding || finding->ending == Ending::None;
+    if (stands && m_around.leftOut && *m_around.leftOut)
+        co_return fail(Fault::Cancelled);
+    co_return finding;
 }
 
 /// Samples that were lost on the way say nothing of the motor: while the unit answers, the test is done again.

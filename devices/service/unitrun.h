@@ -62,6 +62,7 @@ private:
     std::vector<ParameterStore::Entry> m_before; ///< in table order, of the backup
     const std::size_t m_trusted;                 ///< the first of the visit's steps that are known to be of this unit
     std::vector<ParameterIndex> m_later;         ///< written, and neither in force nor told before its next power cycle
+    std::optional<double> m_start;               ///< counts, where its self-test began
     bool m_wrote = false;
     std::optional<Error> m_journalError;
 };

@@ -343,13 +343,14 @@ void markKept(std::vector<tuning::OwedGains> &owed, const std::vector<KeptTuning
 Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
     std::vector<tuning::OwedGains> owed;
+    unit = resolvedUnit(m_database, unit);
     const auto done
         = m_database.run("SELECT owed.trial, key, raw, owed.time, tried, put_back, program FROM owed "
                          "LEFT JOIN trial ON trial.id = owed.trial WHERE owed.unit = ? ORDER BY owed.trial, key",
-            {qt(resolvedUnit(m_database, unit))}, [&owed](const QSqlQuery &row) {
+            {qt(unit)}, [&owed, &unit](const QSqlQuery &row) {
                 const std::int64_t trial = row.value(0).toLongLong();
                 if (owed.empty() || owed.back().trial != trial)
-                    owed.push_back({trial, row.value(3).toDouble(), {}, true, isAnotherRunning(textAt(row, 6))});
+                    owed.push_back({trial, row.value(3).toDouble(), {}, true, isAnotherRunning(textAt(row, 6)), unit});
                 owed.back().isPutBack = owed.back().isPutBack && row.value(5).toBool();
                 const std::optional<std::int64_t> tried
                     = row.isNull(4) ? std::nullopt : std::optional<std::int64_t>(row.value(4).toLongLong());

@@ -28,6 +28,7 @@ AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, 
     , m_user(m_around.interruption, stream)
     , m_begin(device.clock().now())
 {
+    m_around.start = m_plan.limits.travel ? &m_start : nullptr;
     m_around.leftInForce = [this](const Message &why) { m_report.notPutBack = why; };
     m_report.device = device.selector();
     m_report.simulated = device.link().address().isSimulated();
@@ -55,7 +56,6 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
     plan.loop = m_plan.loop;
     plan.axis = m_plan.axis;
     plan.limits = m_plan.limits;
-    plan.limits.travel = travelOfPlan();
     plan.announced = m_gain;
     Trial trial = co_await runExperiment(m_device, m_stream, plan, m_around);
     m_around.before = {}; // it was called by the first that moved
@@ -64,12 +64,8 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
         m_plan.limits.current.reset(); // that nobody holds it was said
     if (trial.number)
         m_report.trials.push_back(*trial.number);
-    if (const Signal *const position = trial.signal("position"); position && !position->trace.isEmpty()) {
-        const bool counted = plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
-        if (!std::exchange(m_placed, true) && !counted)
-            m_start = position->trace.y.front();
-        m_here = position->trace.y.back() + (counted ? m_here : 0.0); // each counts from its own start
-    }
+    if (const Signal *const position = trial.signal("position"); position && !position->trace.isEmpty())
+        m_here = position->trace.y.back();
     m_report.stopped = trial.stopped || m_device.isSeenStopped();
     co_await judgeEnding(trial);
     co_return trial;
@@ -152,16 +148,12 @@ void AutotuneRun::beginClock()
 }
 
 /// What the motor has gone since the tuning began is gone.
-std::optional<double> AutotuneRun::travelOfPlan() const
-{
-    const auto &travel = m_plan.limits.travel;
-    return travel ? std::optional(std::max(*travel - std::abs(m_here - m_start), 0.0)) : std::nullopt;
-}
-
 std::optional<double> AutotuneRun::travelLeft() const
 {
-    const auto ofPlan = travelOfPlan();
-    return ofPlan && m_envelope.travel ? std::min(*ofPlan, *m_envelope.travel) : m_envelope.travel;
+    const auto &travel = m_plan.limits.travel;
+    if (!travel || !m_start || !m_envelope.travel)
+        return m_envelope.travel;
+    return std::clamp(*travel - std::abs(m_here - *m_start), 0.0, *m_envelope.travel);
 }
 
 double AutotuneRun::left() const
@@ -209,9 +201,8 @@ void AutotuneRun::lookWhere()
 {
     const auto position = axisChannel(m_device, "position", m_plan.axis);
     const auto last = position ? m_device.telemetry()->latest(*position) : std::nullopt;
-    const bool counted = m_device.family().capabilities.zeroPosition; // each experiment from its own start
-    m_here = last && !counted ? last->value : 0.0;
-    if (!std::exchange(m_placed, true))
+    m_here = last ? last->value : 0.0;
+    if (!m_start)
         m_start = m_here;
 }
 

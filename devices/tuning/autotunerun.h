@@ -85,7 +85,6 @@ public:
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
     [[nodiscard]] Result<void> judgeEnding(const Trial &trial);
-    [[nodiscard]] std::optional<double> travelOfPlan() const;
     /// Of the motor, for what is announced and what guards count on.
     void expectOf(const PlantModel &plant, const std::optional<TriedScale> &scale);
 
@@ -95,11 +94,10 @@ private:
     ExperimentSurroundings m_around;
     Interruptible m_user;
     TuneReport m_report;
-    Envelope m_envelope;   ///< of limits and device together
-    double m_start = 0.0;  ///< counts, where the tuning began
-    double m_here = 0.0;   ///< counts, where the last experiment ended
-    double m_gain = 0.0;   ///< counts/s per duty at most; 0: not known yet
-    bool m_placed = false; ///< m_start is known
+    Envelope m_envelope;           ///< of limits and device together
+    std::optional<double> m_start; ///< counts, where the tuning began
+    double m_here = 0.0;           ///< counts, where the last experiment ended
+    double m_gain = 0.0;           ///< counts/s per duty at most; 0: not known yet
     bool m_moved = false;
     Instant m_begin;
 };

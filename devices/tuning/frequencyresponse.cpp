@@ -166,6 +166,8 @@ double FrequencyResponse::trustedUpTo() const
 Task<FrequencyResponse> measureFrequencyResponse(
     Device &device, SetPointStream &stream, SweepPlan plan, PlantModel plant, ExperimentSurroundings surroundings)
 {
+    std::optional<double> start;
+    surroundings.start = &start;
     FrequencyResponse response;
     response.simulated = device.link().address().isSimulated();
     double sign = 1.0;
@@ -205,7 +207,7 @@ Task<FrequencyResponse> measureFrequencyResponse(
             response.points.push_back(*point);
         else
             response.evidence = point.error().message();
-        sign = -sign; // it ends about where it began
+        sign = -sign; // back, less far
     }
     if (response.evidence.empty())
         response.evidence = say("to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9",

@@ -345,6 +345,16 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
     ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
     EXPECT_EQ(stored(), before) << "nothing is written unasked";
+    SetPoint byHand;
+    byHand.mode = Mode::Duty;
+    core.send(orders::StartMotion{id(), byHand, 500ms});
+    test::Heard<> refused;
+    core.send(orders::PayGains{id(), core.owedGains().at(id()).front().trial}, refused.finished());
+    clock.advance(1s);
+    EXPECT_TRUE(refused && !*refused);
+    EXPECT_TRUE(core.session().stream(*device()).isRunning()) << "who drives it is not disturbed";
+    core.send(orders::StopMotion{id()});
+    clock.advance(1s);
     test::Heard<> paid;
     core.send(orders::PayGains{id(), core.owedGains().at(id()).front().trial}, paid.finished());
     ASSERT_TRUE(clock.runUntil([&paid] { return paid.has_value(); }, 20s));

@@ -81,6 +81,26 @@ TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
     EXPECT_TRUE(*free);
 }
 
+TEST_F(Served, TheFiveMinutesOfAnArmingDoNotRunWhileAUnitIsThere)
+{
+    for (Simulator *unit : core->session().bench(*core->session().links().front())->simulators())
+        unit->setPowered(false);
+    clock.advance(10s);
+    ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, 0}));
+    core->send(orders::ArmService{true});
+    clock.advance(4min + 40s);
+    ASSERT_TRUE(view().isArmed());
+    EXPECT_LT(view().armedUntil - clock.now(), 30s);
+    for (Simulator *unit : core->session().bench(*core->session().links().front())->simulators())
+        unit->setPowered(true);
+    const auto isServed = [this] {
+        return std::ranges::any_of(
+            view().rows, [](const service::QueueRow &row) { return row.state == service::RowState::Running; });
+    };
+    ASSERT_TRUE(clock.runUntil(isServed, 15s));
+    EXPECT_GT(view().armedUntil - clock.now(), 4min + 50s);
+}
+
 TEST_F(Served, NothingTurnsUnlessItIsArmed)
 {
     ASSERT_TRUE(serve({recipe(moving), {"sim:can"}, std::nullopt}));

@@ -26,7 +26,10 @@ TEST(StationPermit, IsOverFiveMinutesAfterTheLastUnit)
     StationPermit permit(clock);
     permit.arm(true);
     clock.advance(4min);
-    permit.restart();
+    permit.setServed(true);
+    clock.advance(20min);
+    EXPECT_EQ(mayTurn(permit), MayTurn::Every) << "a unit is there";
+    permit.setServed(false);
     clock.advance(4min);
     EXPECT_EQ(mayTurn(permit), MayTurn::Every);
     clock.advance(1min);
@@ -55,7 +58,7 @@ TEST(StationPermit, AUnitThatComesAfterASleepDoesNotLengthenIt)
     StationPermit permit(clock);
     permit.arm(true);
     clock.suspend(2h);
-    permit.restart();
+    permit.setServed(true);
     EXPECT_EQ(mayTurn(permit), MayTurn::Nothing);
 }
 

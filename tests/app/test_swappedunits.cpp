@@ -30,6 +30,14 @@ constexpr const char *right = "B00000000002";
 class SwappedUnits : public testing::Test {
 protected:
     SwappedUnits()
+        : SwappedUnits("dmc60c", "sim:can",
+            {"dmc60c:5,serial=A00000000001,gains=default", "dmc60c:5,serial=B00000000002,gains=default"}, left)
+    {
+    }
+    SwappedUnits(
+        const char *key, const char *link, const std::array<std::string_view, 2> &both, const std::string &first)
+        : family(*findFamily(families(), key))
+        , units(both)
     {
         test::needCoreApplication();
         family.bench = units;
@@ -40,10 +48,10 @@ protected:
         core = std::make_unique<EngineCore>(clock, only, false);
         core->setSettingsLog(book.get());
         core->setJournal(&journal);
-        core->send(orders::OpenLink{*LinkAddress::parse("sim:can")});
+        core->send(orders::OpenLink{*LinkAddress::parse(link)});
         EXPECT_TRUE(clock.runUntil([this] { return !core->session().links().empty(); }, 1s));
         power(1, false);
-        EXPECT_TRUE(clock.runUntil([this] { return device() && serial() == left && device()->liveness().heard; }, 10s));
+        EXPECT_TRUE(clock.runUntil([&] { return device() && serial() == first && device()->liveness().heard; }, 10s));
         clock.advance(5s);
     }
     void power(std::size_t unit, bool on)
@@ -92,9 +100,8 @@ protected:
     VirtualClock clock;
     std::unique_ptr<Database> database;
     std::unique_ptr<SettingsBook> book;
-    Family family{*findFamily(families(), "dmc60c")};
-    std::array<std::string_view, 2> units{
-        "dmc60c:5,serial=A00000000001,gains=default", "dmc60c:5,serial=B00000000002,gains=default"};
+    Family family;
+    std::array<std::string_view, 2> units;
     std::array<const Family *, 1> only{&family};
     test::FakeJournal journal;
     std::unique_ptr<EngineCore> core;
@@ -199,6 +206,29 @@ TEST_F(SwappedUnits, GainsAreOwedToTheUnitThatAnExperimentChangedAndToNoOther)
     EXPECT_FALSE(journal.owed.empty()) << "it is owed still";
     swap(1, 0);
     ASSERT_TRUE(clock.runUntil([&] { return core->owedGains().count(first) == 1; }, 20s)) << "it is back";
+}
+
+/// Nobody can tell one of these from the other.
+class SwappedPlaces : public SwappedUnits {
+protected:
+    SwappedPlaces()
+        : SwappedUnits("supermodified", "sim:serial", {"supermodified:4,dialect=D1", "supermodified:4,dialect=D1"}, "")
+    {
+    }
+};
+
+TEST_F(SwappedPlaces, AChangeThatIsToGoBackIsOfferedWhereAnotherUnitMayStandByNow)
+{
+    ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 1500.0)}}));
+    ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 3000.0)}}));
+    clock.advance(1s);
+    ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core->snapshot().unconfirmed.front().state, UnconfirmedView::State::Counting);
+    swap(0, 1, 5s);
+    clock.advance(40s);
+    ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core->snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
+    EXPECT_EQ(read("limit.current"), 5000) << "as it came";
 }
 
 class SwappedOnUpdate : public SwappedUnits {

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
     void aNoticeEndsWithWhatItIsOf();
     void gainsThatAreOwedMayBeKeptAsTheyAre();
+    void gainsThatAreOwedToAPlaceAreSaidToBeSo();
 };
 
 namespace {
@@ -143,6 +144,19 @@ void ConditionsTest::gainsThatAreOwedMayBeKeptAsTheyAre()
     QCOMPARE(kept.size(), std::size_t{1});
     QVERIFY(kept.front().device == DeviceId{1} && kept.front().trial == 41);
     QCOMPARE(notices.workbench.given<orders::PayGains>().size(), std::size_t{1});
+}
+
+void ConditionsTest::gainsThatAreOwedToAPlaceAreSaidToBeSo()
+{
+    Notices notices;
+    tuning::OwedGains owed;
+    for (const bool isPlace : {true, false}) {
+        owed.unit = isPlace ? "place usb-1.2 supermodified:4" : "dmc60c 210334000001";
+        notices.workbench.owed[{1}] = {owed};
+        notices.follow();
+        QCOMPARE(notices.standing().accessibleDescription().startsWith(QStringLiteral("this place, not this unit")),
+            isPlace);
+    }
 }
 
 MB_WINDOW_TEST(ConditionsTest);

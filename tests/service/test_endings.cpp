@@ -3,6 +3,10 @@
 #include "model/unit.h"
 #include "servicebench.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 namespace mb::service {
 namespace {
 
@@ -44,6 +48,29 @@ TEST_F(Endings, AStopThatNobodyHasSeenIsWrittenDownAsSuch)
 const QByteArray turnWithBase = R"({"recipe":1,"name":"turn","family":"dmc60c",
 "parameters":{"file":"base_c.json"},"test":{"loop":"velocity","to":8000,"time":0.8,
 "limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})";
+
+/// Pushes come before its step, and each of them counts its travel from the same place.
+TEST_F(Endings, ASelfTestThatIdentifiesItsMotorStaysWithinTheTravelThatWasShown)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
+"test":{"loop":"velocity","to":8000,"time":0.8,"limits":{"travel":22000,"speed":200000,"duty":0.9,"current":60},
+"accept":{"gain":1e8,"settle":0.9}}})"));
+    const double start = rack.unit(0).position();
+    double farthest = 0.0;
+    Timer looking(rack.clock);
+    const std::function<void()> look = [&] {
+        farthest = std::max(farthest, std::abs(rack.unit(0).position() - start));
+        looking.startIn(5ms, look);
+    };
+    look();
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+    EXPECT_GT(farthest, 10'000.0);
+    EXPECT_LE(farthest, 22'000.0);
+}
 
 /// Somebody else, at the same unit: its first setting, and what keeps that from stopping the motor.
 Task<void> moveSwitch(Device &device)

@@ -136,6 +136,32 @@ TEST_F(ServiceQueues, AStopWhileAMotionIsAnnouncedLeavesItsVisitOpen)
     EXPECT_EQ(books->visits().at(0).outcome, Outcome::Open);
 }
 
+TEST_F(ServiceQueues, AUnitThatIsLeftOutWhileItsMotorTurnsStandsAndTellsItselfAsOftenAsBefore)
+{
+    UnitRack rack({"dmc60c:7,serial=210334000003"});
+    const RecipeMatter matter = load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
+"test":{"loop":"velocity","to":8000,"time":3,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})");
+    QueueRun run(rack, *books, matter);
+    ASSERT_TRUE(test::run(rack.clock, rack.session->scan(*rack.link)));
+    Device &unit = *rack.session->devices().front();
+    const ParameterIndex period = *findParameter(unit.family().parameters, "status.encoder.period");
+    const auto before = test::run(rack.clock, unit.read(period));
+    ASSERT_TRUE(before);
+    Timer skipping(rack.clock);
+    run.permit.asked = [&] { skipping.startIn(2s, [&run] { run.queue.skip(run.queue.rows()[0]->id); }); };
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return skipping.isActive(); }, 1min));
+    rack.clock.advance(1900ms);
+    EXPECT_TRUE(unit.liveness().moving);
+    EXPECT_NE(unit.parameters().entry(period).raw, *before);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 1min));
+    EXPECT_EQ(run.queue.rows()[0]->state, RowState::Skipped);
+    EXPECT_EQ(books->visits().at(0).outcome, Outcome::Open);
+    EXPECT_TRUE(unit.isSeenStopped());
+    EXPECT_EQ(test::run(rack.clock, unit.read(period)), before);
+}
+
 TEST_F(ServiceQueues, AUnitThatWasTakenOffIsNotTriedAgainAndItsFailureStays)
 {
     UnitRack rack({"dmc60c:7,serial=210334000003,fault=encoder-reversed", "dmc60c:8,serial=210334000004"});

@@ -168,6 +168,9 @@ TEST(EnvelopeOfATrial, AStimulusThatWouldLeaveItIsRefused)
         EXPECT_EQ(inside.has_value(), *row.outside == '\0') << told;
         EXPECT_TRUE(told.starts_with(row.outside)) << told << ", expected " << row.outside;
     }
+    const auto up = Stimulus::make(Profile::Step, 0.0, 1000.0, 2.0, 0.02);
+    EXPECT_FALSE(checkInside(within, Mode::Velocity, *up, 2, 0.0, 1500.0)) << "farther from where travel is counted";
+    EXPECT_TRUE(checkInside(within, Mode::Velocity, *up, 2, 0.0, -1500.0)) << "through it";
 }
 
 TEST(PlanOfATrial, ASetOfGainsAnAxisOrANumberOfRunsThatThereIsNotIsRefused)

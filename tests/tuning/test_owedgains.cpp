@@ -105,10 +105,14 @@ TEST(OwedGains, AreNotPutBackWhileSomebodyDrivesAMotorThatIsBlocked)
     drive();
     clock.advance(500ms);
     ASSERT_TRUE(bench.simulator()->isOutputOn());
+    bool isStopped = false;
+    const auto stopping = bench.device->stopping().changed().add([&isStopped] { isStopped = true; });
     const auto refused = run(clock, payOwed(*bench.device, bench.journal, {1, 0.0, {{"slot0.p", before, tried.raw}}}));
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::Unsafe);
     EXPECT_EQ(run(clock, bench.device->read(tried.index)).value_or(-1), tried.raw);
+    clock.advance(15s);
+    EXPECT_FALSE(isStopped) << "its motor is that of somebody else";
 }
 
 /// Its output is off, and something else turns it.

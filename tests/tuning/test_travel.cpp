@@ -80,6 +80,36 @@ TEST(Travel, OfAMotorWhoseLagIsKnownIsNotLeftByWhatRollsOn)
     EXPECT_GE(farthest.reached(), 400'000.0);
 }
 
+TEST(Travel, OfExperimentsThatShareTheirStartIsCountedFromThere)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 6, "dmc60c:6,motor=775pro,load=7");
+    std::optional<double> start;
+    bench.surroundings.start = &start;
+    const Farthest farthest(bench);
+    ExperimentPlan push = pushOf(0.25, 100'000.0);
+    push.seconds = 0.2;
+    std::string reason = "done";
+    int pushes = 0;
+    for (; reason == "done" && pushes < 50; ++pushes) {
+        const auto trial = bench.run(push);
+        ASSERT_TRUE(trial) << trial.error().text();
+        reason = trial->reason;
+    }
+    EXPECT_EQ(reason, "travel");
+    EXPECT_GT(pushes, 1) << "none goes so far by itself";
+    EXPECT_LE(farthest.reached(), 100'000.0);
+    ExperimentPlan step = test::stepTo(Mode::Velocity, 40'000.0);
+    step.seconds = 1.0;
+    step.limits.travel = 100'000.0;
+    const auto refused = bench.run(step);
+    ASSERT_FALSE(refused) << "what is left is too little";
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    step.to = -step.to;
+    const auto back = bench.run(step);
+    ASSERT_TRUE(back) << back.error().text();
+    EXPECT_EQ(back->reason, "done") << back->detail;
+}
+
 TEST(Travel, ATuningTellsTheExperimentsThatFollowHowSlowlyItsMotorStops)
 {
     ExperimentBench bench("sim:can", "dmc60c", 6, "dmc60c:6,motor=775pro,load=20");

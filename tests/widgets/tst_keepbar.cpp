@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Values that go back unless somebody keeps them, as the window asks.
+#include "model/unit.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/theme.h"
@@ -8,6 +9,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
+
+#include <tuple>
+#include <utility>
 
 using namespace mb;
 using namespace mb::test;
@@ -27,10 +31,10 @@ struct KeepBench {
         window.show();
         QApplication::setActiveWindow(&window);
     }
-    void wait(std::int64_t change, UnconfirmedView::State state, double left)
+    void wait(std::int64_t change, UnconfirmedView::State state, double left, std::string unit = {})
     {
         workbench.shot.unconfirmed.push_back(
-            {{1}, change, say("%1: %2 -> %3", "current_limit.peak", 60, 80), state, left});
+            {{1}, change, say("%1: %2 -> %3", "current_limit.peak", 60, 80), state, left, std::move(unit)});
         workbench.publish();
     }
 };
@@ -46,6 +50,7 @@ private Q_SLOTS:
     void keepAndPutBackAreOrders();
     void whatGoesFirstIsAskedFirst();
     void theKeyKeepsOnlyWhatIsAsked();
+    void whatIsLeftOverOfAPlaceIsSaidToBeSo();
 };
 
 void TestKeepBar::thereIsNoneWhileNothingWaits()
@@ -120,6 +125,18 @@ void TestKeepBar::theKeyKeepsOnlyWhatIsAsked()
     bench.wait(4, UnconfirmedView::State::AwaitsStandstill, 0.0);
     QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
     QCOMPARE(bench.workbench.given<orders::KeepChange>().size(), 1U);
+}
+
+void TestKeepBar::whatIsLeftOverOfAPlaceIsSaidToBeSo()
+{
+    const std::string place = "place usb-1.2 supermodified:4";
+    for (const auto &[state, unit, isSaid] :
+        {std::tuple(UnconfirmedView::State::Offered, place, true), {UnconfirmedView::State::Counting, place, false},
+            {UnconfirmedView::State::Offered, taggedUnitKey(place, "left arm"), false}}) {
+        KeepBench bench;
+        bench.wait(4, state, 17.4, unit);
+        QCOMPARE(bench.bar.accessibleDescription().startsWith(QStringLiteral("this place, not this unit")), isSaid);
+    }
 }
 
 MB_WINDOW_TEST(TestKeepBar);

@@ -2,6 +2,7 @@
 #include "widgets/common/devicetext.h"
 
 #include "model/axis.h"
+#include "model/unit.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,13 @@ struct DeviceText {
 };
 
 } // namespace
+
+QString placeCaveat(std::string_view unit)
+{
+    return unitByOf(unit) == UnitBy::Place
+        ? messageText(say("this place, not this unit: what is kept may be of another")) + QStringLiteral(" · ")
+        : QString();
+}
 
 QString axesLine(const DeviceView &device)
 {

@@ -33,6 +33,8 @@ namespace mb {
 /// "2 of 4 axes move", "4 axes"
 [[nodiscard]] QString axesLine(const DeviceView &device);
 [[nodiscard]] GlyphState glyphOf(const DeviceView &device);
+/// Before what is kept of this unit (model/unit.h): empty, or that it may be of another one.
+[[nodiscard]] QString placeCaveat(std::string_view unit);
 /// Of a line of a log.
 [[nodiscard]] GlyphState glyphOf(Severity severity);
 /// "DMC60C #5"

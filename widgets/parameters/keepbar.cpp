@@ -140,7 +140,8 @@ void KeepBar::showChange(const UnconfirmedView &view, int more)
     m_question->setToolTip(m_question->text());
     m_countdown->setText(stateText(view));
     m_countdown->setMinimumWidth(m_countdown->sizeHint().width());
-    const QString values = messageText(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
+    const QString caveat = view.state == State::Offered ? placeCaveat(view.unit) : QString();
+    const QString values = caveat + messageText(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
     m_values->setText(more > 0 ? tr("%1 · %n more change(s) after this one", nullptr, more).arg(values) : values);
     m_values->setToolTip(m_values->text());
     m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);
