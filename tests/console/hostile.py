@@ -266,7 +266,7 @@ class Hostile(ContractTest):
                       ["step", EMPTY, "--mode", "velocity", "--to", "1000"], ["tune", EMPTY, "--loop", "velocity"]):
             self.assert_error(1, *words, says="bootloader")
 
-    def test_what_is_refused_after_something_was_written_is_no_wrong_usage(self):
+    def test_one_value_that_cannot_be_written_is_wrong_usage_of_all(self):
         node = "sim:serial/supermodified:4"  # dialect D1, which has no reaction to errors
         self.assert_error(2, "set", node, "gain.p=1", "frob=1", says="frob")
         self.assert_error(1, "set", node, "gain.p=1", "error.reaction=1", says="written before it: 1")

@@ -128,7 +128,10 @@ class SupermodifiedTest(ContractTest):
     def test_a_number_that_another_node_has_is_refused_though_nobody_looked_for_it(self):
         nodes = Nodes(self, "supermodified:4", "supermodified:5")
         link = f"serial:{nodes.path}?baud=57600"
-        self.assert_error(1, "number", f"{link}/supermodified:4", "5", says="used by another node")
+        self.assert_error(2, "number", f"{link}/supermodified:4", "5", says="used by another node of this line; choose a free one")
+        gain = self.run_one("get", f"{link}/supermodified:4", "gain.p")["parameters"]
+        self.assert_error(2, "set", f"{link}/supermodified:4", "gain.p=900", "node.id=5", says="used by another node")
+        self.assertEqual(self.run_one("get", f"{link}/supermodified:4", "gain.p")["parameters"], gain)
         self.assertEqual(self.run_one("number", f"{link}/supermodified:4", "6")["new"], 6)
 
     def test_what_a_profile_stores_and_may_pass_is_said(self):
