@@ -220,6 +220,12 @@ class Tags(ContractTest):
         self.assertEqual((rows[place], rows["sim:serial/supermodified:4"], rows[CIM]), ("right arm", "another", "DMC60C"))
         self.assertIn("right arm", self.run_text("scan", "sim:serial"))
 
+    def test_a_name_has_64_characters_of_any_size_and_no_other_bytes(self):
+        place = "sim:serial/supermodified:5"
+        self.assertTrue(self.run_one("rename", place, 64 * "\N{SMALL ORANGE DIAMOND}")["verified"])
+        self.assert_error(2, "rename", place, 65 * "x", says="this one has 65")
+        self.assert_error(2, "rename", place, b"\xff\xfe", says="UTF-8")
+
     def test_no_notebook_is_begun_to_look_for_a_name(self):
         self.assertIsNone(self.run_one("info", "sim:serial/supermodified:5")["name"])
         self.assertFalse(os.path.exists(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db")))
