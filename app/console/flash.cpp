@@ -36,6 +36,9 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     const std::string &target = options.target;
     if (!target.empty() && target != "f1" && target != "f4")
         return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("f1 and f4 are known"));
+    const auto hasOne = [](const UpdateRoute &route) { return route.targets.empty(); };
+    if (!target.empty() && std::ranges::all_of(family.routes, hasOne))
+        return fail(Fault::Usage, say("a %1 has one kind of chip", family.title), say("leave out --target"));
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
     if (options.eraseSettings && std::ranges::none_of(family.routes, erases))
         return fail(Fault::Unsupported, say("%1 has no settings that an update could erase", family.key));

@@ -56,12 +56,12 @@ Task<int> identify(Console &console, IdentifyArguments arguments)
     if (!can.identify)
         co_await mayNudge(console, target, arguments);
     Device *const device = co_await connect(console, target);
+    co_await needsApplication(*device);
     std::string shown = "blinks";
     if (can.identify) {
         co_await device->identify();
     } else {
         co_await Sleep(console.clock(), masterListen);
-        co_await needsApplication(*device);
         const double moved = co_await nudge(console, *device, *axis);
         shown = "turned to and fro, " + numberText(std::round(std::abs(moved))) + " counts at first";
     }

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] tuning::ExperimentJournal *book() { return m_book.get(); }
     /// The same for snapshots and writes.
     [[nodiscard]] SettingsBook *settings() { return m_settings.get(); }
+    [[nodiscard]] Database &database() { return *m_database; }
     /// Takes a snapshot of a device before many of its values change; a note says which, or that the device could not be
     /// read. Usage where the notebook has no room for it.
     [[nodiscard]] Task<void> keepBefore(Device &device, settings::Occasion occasion);

@@ -17,9 +17,11 @@ struct RenameArguments {
     std::string name;
 };
 
-void show(Console &console, const Device &device, const std::string &old, const std::string &name, bool verified,
-    const std::string &proof)
+/// `now`: what it is called after it; `proof`: how that is known.
+Result<int> finish(Console &console, const Device &device, const std::string &old, const std::string &name,
+    const std::string &now, const std::string &proof)
 {
+    const bool verified = now == name;
     if (console.json()) {
         console.out().json({
             {QStringLiteral("device"), qt(device.selector())},
@@ -30,6 +32,9 @@ void show(Console &console, const Device &device, const std::string &old, const 
     } else {
         console.out().line("name '" + old + "' → '" + name + "', " + (verified ? proof : "not verified"));
     }
+    if (verified)
+        return exitDone;
+    return fail(Fault::BadCheck, say("it is called '%1' now", now), say("try again"));
 }
 
 /// Of a unit that stores no name: what it is called is kept on this computer.
@@ -42,16 +47,14 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
     const std::string place = unitKeyOf(device);
     const std::string old(unitTagIn(notebook.settings()->resolved(place)));
     MB_TRY_VOID(notebook.settings()->setTag(place, name));
-    const bool verified = unitTagIn(notebook.settings()->resolved(place)) == name;
-    show(console, device, old, name, verified, "kept on this computer");
-    return exitDone;
+    const std::string now(unitTagIn(notebook.settings()->resolved(place)));
+    return finish(console, device, old, name, now, "kept on this computer");
 }
 
 Task<int> rename(Console &console, RenameArguments arguments)
 {
     const auto target = co_await parseTarget(console, arguments.device);
-    const QString name = qt(arguments.name);
-    const int length = name.size();
+    const int length = qt(arguments.name).toUcs4().size();
     if (length < 1 || length > longest)
         co_return fail(Fault::OutOfRange, say("a name has 1 to %1 characters, this one has %2", longest, length),
             say("choose another"));
@@ -64,11 +67,7 @@ Task<int> rename(Console &console, RenameArguments arguments)
     const std::string old = device->identity().name;
     co_await device->rename(arguments.name);
     co_await device->refresh();
-    const bool verified = device->identity().name == arguments.name;
-    show(console, *device, old, arguments.name, verified, "read back");
-    if (verified)
-        co_return exitDone;
-    co_return fail(Fault::BadCheck, say("the device now calls itself '%1'", device->identity().name), say("try again"));
+    co_return finish(console, *device, old, arguments.name, device->identity().name, "read back");
 }
 
 } // namespace

@@ -157,8 +157,21 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
     co_return {};
 }
 
+/// What this unit's dialect does not have: the file may be of a unit of another one.
+void leaveOut(const Device &device, ParameterFile &file)
+{
+    std::erase_if(file.values, [&device, &file](const ParameterChange &change) {
+        const bool offered = device.offers(change.index);
+        if (!offered)
+            file.notes.push_back(
+                say("%1 does not exist in this device's dialect", device.parameters().parameter(change.index).key));
+        return !offered;
+    });
+}
+
 Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, RestoreArguments arguments)
 {
+    leaveOut(device, file);
     for (const Message &note : file.notes)
         console.note(arguments.file + ": " + note.english() + ", left out");
     co_await readCurrent(console, device, toRead(device.family(), file));

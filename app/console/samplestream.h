@@ -34,7 +34,10 @@ private:
     void print(Instant time, std::string_view key, double value, std::string_view unit, const QJsonValue &json);
     void printStates(Instant time);
     void noteStates();
-    [[nodiscard]] bool isNews(const StateRow &row) const { return row.kind != StateKind::Rest || !m_driven; }
+    [[nodiscard]] bool isNews(const StateRow &row) const
+    {
+        return !row.clause.empty() && (row.kind != StateKind::Rest || !m_driven);
+    }
     [[nodiscard]] std::uint64_t lostSoFar() const;
 
     Console &m_console;

@@ -163,8 +163,10 @@ Opened openListed(Console &console)
             opened.links.push_back(*link);
             continue;
         }
+        listing.state = "absent";
         listing.detail = link.error().message();
-        console.note(listing.link.text() + ": " + listing.detail.english());
+        if (!opened.error)
+            opened.error = link.error();
     }
     return opened;
 }
@@ -204,7 +206,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     Opened opened;
     if (names.empty()) {
         opened = openListed(console);
-        if (opened.links.empty())
+        if (opened.links.empty() && !opened.error)
             console.note("no CAN interface is up; 'motorbenchctl links' lists what there is, 'motorbenchctl scan sim:' "
                          "finds simulated devices");
     } else {
@@ -220,10 +222,8 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     round.reset(); // nothing is drawn any more
     for (Link *const link : opened.links)
         noteRemark(console, *link);
-    if (error && !names.empty() && !anyScanned)
+    if (error && !anyScanned)
         co_return fail(*error);
-    if (error && names.empty())
-        console.note(lineOf(*error, console.options().verb));
     refreshListings(console, opened);
     UnitNames units(console);
     if (console.json()) {
@@ -236,7 +236,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     }
     if (isCut)
         co_return fail(Fault::Cancelled, say("interrupted before it was done"));
-    co_return error && !names.empty() ? console.fails(*error) : exitDone;
+    co_return error ? console.fails(*error) : exitDone;
 }
 
 } // namespace

@@ -126,6 +126,10 @@ Task<int> set(Console &console, SetArguments arguments)
     Notebook notebook(console); // before the device is found: what is refused at once must not come after an answer
     Device *const device = co_await connect(console, target);
     co_await needsApplication(*device);
+    console.onlyAsk();
+    if (const auto refused = co_await findRefused(*device, changes))
+        co_return fail(*firstError(*device, {*refused}));
+    console.begin();
     notebook.noteTrouble();
     const std::vector<std::string> owed = co_await notebook.owedLines(*device, changes);
     for (const std::string &line : owed)

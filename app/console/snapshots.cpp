@@ -6,14 +6,14 @@
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "model/unit.h"
+#include "storage/unittags.h"
 
 #include <QDateTime>
 #include <QJsonArray>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
-#include <set>
+#include <optional>
 
 namespace mb::console {
 namespace {
@@ -77,30 +77,20 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
     co_return exitDone;
 }
 
-/// Those of the units that were ever seen there, wherever the snapshots were taken.
-void keepThoseOf(const std::string &device, std::vector<ParameterSnapshot> &snapshots)
-{
-    std::set<std::string> units;
-    for (const ParameterSnapshot &each : snapshots) {
-        if (each.device == device)
-            units.insert(each.unit);
-    }
-    std::erase_if(snapshots, [&units](const ParameterSnapshot &each) { return !units.contains(each.unit); });
-}
-
 Task<int> snapshots(Console &console, std::string device)
 {
-    std::string selector;
+    std::optional<Target> target;
     if (!device.empty()) {
-        const auto target = co_await parseTarget(console, device);
-        selector = target.selector.text();
+        target = co_await parseTarget(console, device);
     }
     Notebook notebook(console);
     if (notebook.trouble())
         co_return fail(*notebook.trouble());
     auto all = co_await notebook.settings()->snapshots();
-    if (!selector.empty())
-        keepThoseOf(selector, all);
+    if (target) {
+        const auto units = unitsAt(notebook.database(), target->selector);
+        std::erase_if(all, [&units](const ParameterSnapshot &each) { return !units.contains(each.unit); });
+    }
     QJsonArray rows;
     Table table({"SNAPSHOT", "TIME", "SERIAL", "DEVICE", "NAME", "VALUES"});
     for (const ParameterSnapshot &each : all) {
@@ -111,7 +101,9 @@ Task<int> snapshots(Console &console, std::string device)
     if (console.json())
         console.out().json({{QStringLiteral("snapshots"), rows}});
     else if (all.empty())
-        console.out().line("none is kept; 'motorbenchctl snapshot DEVICE' takes one");
+        console.out().line(target
+                ? "none is kept of what was seen at " + device + "; 'motorbenchctl snapshots' lists all"
+                : "none is kept; 'motorbenchctl snapshot DEVICE' takes one");
     else
         table.print(console.out());
     co_return exitDone;

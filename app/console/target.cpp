@@ -214,6 +214,8 @@ std::string joined(const std::vector<std::string_view> &words)
 Result<void> checkName(std::string_view name, const std::string &text)
 {
     const QString characters = qt(text);
+    if (characters.toStdString() != text)
+        return fail(Fault::OutOfRange, say("%1 is text in UTF-8", name), say("choose another"));
     if (std::ranges::any_of(characters, [](QChar c) { return c.category() == QChar::Other_Control; }))
         return fail(Fault::OutOfRange, say("%1 has no line break, tabulator or other control character", name),
             say("choose another"));

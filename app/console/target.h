@@ -44,7 +44,7 @@ void noteRemark(Console &console, Link &link);
     std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise);
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string_view> &words);
-/// OutOfRange where a control character of `text`, which is called `name`, would end a line or move a cursor.
+/// OutOfRange where `text`, which is called `name`, is no UTF-8, or a control character of it would end a line or move a cursor.
 [[nodiscard]] Result<void> checkName(std::string_view name, const std::string &text);
 /// A finite number inside [low, high]; OutOfRange names the argument.
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);

@@ -5,8 +5,10 @@
 #include "app/console/verb.h"
 #include "async/outputfile.h"
 #include "storage/trialfile.h"
+#include "storage/unittags.h"
 
 #include <memory>
+#include <optional>
 #include <tuple>
 
 namespace mb::console {
@@ -62,10 +64,9 @@ Result<void> change(TrialBook &book, const Changes &changes, const TrialsArgumen
 
 Task<int> trials(Console &console, TrialsArguments a)
 {
-    std::string device;
+    std::optional<Target> target;
     if (!a.device.empty()) {
-        const auto target = co_await parseTarget(console, a.device);
-        device = target.selector.text();
+        target = co_await parseTarget(console, a.device);
     }
     const auto wanted = co_await parse(a);
     if (auto writable = a.file.empty() ? Result<void>() : checkWritable(a.file); !writable)
@@ -76,7 +77,11 @@ Task<int> trials(Console &console, TrialsArguments a)
     auto changed = changes ? database->transact([&] { return change(book, wanted, a); }) : Result<void>();
     if (!changed)
         co_return fail(changed.error());
-    const auto kept = co_await book.list(device);
+    auto kept = co_await book.list();
+    if (target) {
+        const auto units = unitsAt(*database, target->selector);
+        std::erase_if(kept, [&units](const KeptTrial &each) { return !units.contains(each.trial.unit); });
+    }
     if (!a.file.empty()) {
         co_await exportTrials(a.file, kept);
         console.note(std::to_string(kept.size()) + " trials in " + a.file);

@@ -2,6 +2,7 @@
 #include "model/bench.h"
 
 #include "async/seconds.h"
+#include "async/virtualclock.h"
 #include "wire/number.h"
 
 #include <algorithm>
@@ -108,7 +109,8 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
     }
     for (std::size_t i = 0; i < faults.size() && !m_simulators.empty(); ++i) {
         if (!known[i])
-            return fail(Fault::OutOfRange, say("unknown fault '%1'", faults[i].kind));
+            return fail(Fault::OutOfRange,
+                say("no device of %1 can have the fault '%2'", m_address.shortName(), faults[i].kind));
     }
     return {};
 }
@@ -142,6 +144,31 @@ std::vector<Simulator *> Bench::simulators() const
     return all;
 }
 
+namespace {
+
+bool canHaveFault(LinkAddress link, const std::string &fault, std::span<const Family *const> families)
+{
+    VirtualClock clock;
+    link.options = {{"fault", fault}};
+    return Bench::create(link, clock, families).has_value();
+}
+
+/// A fault goes to those of the links that can have it. One that none can have goes to all, to be refused there.
+void shareOut(const std::string &fault, std::vector<LinkAddress> &links, std::span<const Family *const> families)
+{
+    std::vector<LinkAddress *> without;
+    for (LinkAddress &link : links) {
+        if (!canHaveFault(link, fault, families))
+            without.push_back(&link);
+    }
+    if (without.size() == links.size())
+        return;
+    for (LinkAddress *const link : without)
+        std::erase(link->options, std::pair<std::string, std::string>("fault", fault));
+}
+
+} // namespace
+
 std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const Family *const> families)
 {
     if (!address.isSimulated() || !address.path.empty())
@@ -152,6 +179,10 @@ std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const 
             = std::ranges::any_of(families, [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
         if (any)
             all.push_back({address.scheme, std::string(toString(kind)), address.options});
+    }
+    for (const auto &[key, value] : address.options) {
+        if (key == "fault")
+            shareOut(value, all, families);
     }
     return all;
 }

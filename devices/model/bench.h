@@ -43,7 +43,8 @@ private:
     std::optional<double> m_busOffAt; ///< seconds after the host opened its end
 };
 
-/// `sim:` stands for every simulated link that has units; another address for itself.
+/// `sim:` stands for every simulated link that has units, each with those of the faults that its units can have; another address for
+/// itself.
 [[nodiscard]] std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const Family *const> families);
 
 } // namespace mb

@@ -97,8 +97,7 @@ Task<std::int64_t> Device::read(ParameterIndex index)
 Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &parameter = m_parameters.parameter(index);
-    if (parameter.access == Access::ReadOnly)
-        co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
+    co_await mayWrite(index, raw);
     UnsettledWrite unsettled = m_knowledge.writing(index);
     if (parameter.access != Access::WriteOnly || m_link.state() != LinkState::Open)
         unsettled.settle();

@@ -10,6 +10,32 @@ DeviceDriver::DeviceDriver(const Family &family)
 {
 }
 
+Task<void> DeviceDriver::mayWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &parameter = m_family.parameters[index.value];
+    if (parameter.access == Access::ReadOnly)
+        co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
+    if (!offers(index))
+        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", parameter.key));
+    co_await doMayWrite(index, raw);
+    co_return {};
+}
+
+Task<void> DeviceDriver::identify()
+{
+    co_return fail(Fault::Unsupported, say("%1 cannot blink", m_family.title));
+}
+
+Task<void> DeviceDriver::rename(std::string)
+{
+    co_return fail(Fault::Unsupported, say("%1 has no name", m_family.title));
+}
+
+Task<void> DeviceDriver::doMayWrite(ParameterIndex, std::int64_t)
+{
+    co_return {};
+}
+
 Result<void> DeviceDriver::doReleaseMoves()
 {
     return fail(Fault::Unsupported, say("%1 has no buffered moves", m_family.title));

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] const Family &family() const { return m_family; }
     /// False for a parameter of the family's table that this device's dialect does not have.
     [[nodiscard]] virtual bool offers(ParameterIndex) const { return true; }
+    /// Why this value cannot be written, as far as that is known before it is: the device is told nothing.
+    [[nodiscard]] Task<void> mayWrite(ParameterIndex index, std::int64_t raw);
     /// Versions and descriptors from the device itself.
     [[nodiscard]] virtual Task<void> refresh() = 0;
     /// Makes what was written survive a power cycle and proves it where the device can: true; false where it cannot.
@@ -39,8 +41,9 @@ public:
     /// Reads and clears sticky faults and counters; yields what they were.
     [[nodiscard]] virtual Task<std::vector<FaultRecord>> clearFaults() = 0;
     /// Blinks, or Unsupported.
-    [[nodiscard]] virtual Task<void> identify() = 0;
-    [[nodiscard]] virtual Task<void> rename(std::string name) = 0;
+    [[nodiscard]] virtual Task<void> identify();
+    /// Unsupported where the unit stores no name.
+    [[nodiscard]] virtual Task<void> rename(std::string name);
     /// Gives the device another address; on success identity() has it, proved by the device's answer from there.
     [[nodiscard]] virtual Task<void> renumber(int address) = 0;
     /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
@@ -59,6 +62,8 @@ protected:
     ~DeviceDriver() = default;
 
     virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
+    /// A family's own reasons besides those that all have; what must be asked for them is asked.
+    virtual Task<void> doMayWrite(ParameterIndex index, std::int64_t raw);
     virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
     virtual Task<void> doRestart();
     /// A family's own reasons besides those that all have.

@@ -114,10 +114,26 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 
 } // namespace
 
+Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes)
+{
+    for (const ParameterChange change : changes) {
+        const Result<void> allowed = co_await device.mayWrite(change.index, change.raw).attempt();
+        if (!allowed)
+            co_return TransferOutcome{change.index, fail(allowed.error()), std::nullopt};
+    }
+    co_return std::nullopt;
+}
+
 Task<std::vector<TransferOutcome>> writeParameters(
     Device &device, std::vector<ParameterChange> changes, Progress &progress)
 {
     std::vector<TransferOutcome> outcomes;
+    if (changes.size() > 1) { // the write of one asks by itself
+        if (auto refused = co_await findRefused(device, changes)) {
+            outcomes.push_back(std::move(*refused));
+            co_return outcomes;
+        }
+    }
     const int total = static_cast<int>(changes.size());
     arrangeForWriting(device.family(), device.parameters(), changes);
     for (const ParameterChange change : changes) {

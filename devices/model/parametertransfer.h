@@ -31,8 +31,11 @@ struct TransferOutcome {
 /// came; what was not written stays lost, so that it can be run again after any cut.
 [[nodiscard]] Task<int> rewriteSettings(Device &device, Progress &progress);
 
-/// Writes in the order that is never livelier in between (arrangeForWriting()), however they are given; each is read back and compared (a Counter that was cleared with 0, and a Live one with nothing).
-/// Ends at the first error, so that nothing half-known goes on; the outcomes tell how far it came.
+/// What may not be written (Device::mayWrite), the first of them; nothing where all may.
+[[nodiscard]] Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes);
+
+/// Writes, where all may be written, in the order that is never livelier in between (arrangeForWriting()), however they are given; each is read back and compared (a Counter that was cleared with 0, and a Live one with nothing).
+/// Ends at the first error, so that nothing half-known goes on; the outcomes tell how far it came: findRefused() alone, nowhere.
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeParameters(
     Device &device, std::vector<ParameterChange> changes, Progress &progress);
 

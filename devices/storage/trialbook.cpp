@@ -238,11 +238,6 @@ Result<std::vector<KeptTrial>> TrialBook::read(const std::string &where, const Q
     return trials;
 }
 
-Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
-{
-    return device.empty() ? read({}, {}) : read(" WHERE device = ?", {qt(device)});
-}
-
 Result<std::vector<KeptTrial>> TrialBook::listOf(const std::string &unit)
 {
     return read(" WHERE unit = ?", {qt(resolvedUnit(m_database, unit))});

@@ -27,8 +27,8 @@ public:
     [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 
-    /// In order of their beginning; of one device, if it is named.
-    [[nodiscard]] Result<std::vector<KeptTrial>> list(const std::string &device = {});
+    /// In order of their beginning.
+    [[nodiscard]] Result<std::vector<KeptTrial>> list() { return read({}, {}); }
     /// The same of one unit, wherever it was connected (Trial::unit).
     [[nodiscard]] Result<std::vector<KeptTrial>> listOf(const std::string &unit);
     /// Tunings of one unit in order of their end; none in a file that is read only and older than they are.

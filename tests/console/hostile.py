@@ -263,13 +263,17 @@ class Hostile(ContractTest):
         saved = self.path("saved.json")
         self.run_text("get", CIM, "slot0.p", "--file", saved)
         for words in (["get", EMPTY], ["set", EMPTY, "slot0.p=1"], ["restore", EMPTY, saved], ["drive", EMPTY, "--mode", "duty", "--target", "0.1", "--for", "1"],
-                      ["step", EMPTY, "--mode", "velocity", "--to", "1000"], ["tune", EMPTY, "--loop", "velocity"]):
+                      ["step", EMPTY, "--mode", "velocity", "--to", "1000"], ["identify", EMPTY], ["tune", EMPTY, "--loop", "velocity"]):
             self.assert_error(1, *words, says="bootloader")
 
-    def test_what_is_refused_after_something_was_written_is_no_wrong_usage(self):
+    def test_one_value_that_cannot_be_written_is_wrong_usage_of_all(self):
         node = "sim:serial/supermodified:4"  # dialect D1, which has no reaction to errors
-        self.assert_error(2, "set", node, "gain.p=1", "frob=1", says="frob")
-        self.assert_error(1, "set", node, "gain.p=1", "error.reaction=1", says="written before it: 1")
+        drive = "sim:can/abstractdc:3"
+        for unit, wrong, says in ((node, "frob=1", "frob"), (node, "error.reaction=1", "error.reaction does not exist"), (node, "node.id=5", "choose a free one"),
+                                  (drive, "position.divisor=0", "position.divisor: 0 is no divisor")):
+            first = "gain.p=900" if unit == node else "velocity.p=3"
+            self.assert_error(2, "set", unit, first, wrong, says=says)
+            self.assertNotIn("written before", Run(["set", unit, first, wrong]).err)
 
     def test_identify_asks_before_it_turns_a_shaft(self):
         drive = "sim:can/abstractdc:3"
@@ -341,6 +345,11 @@ class Hostile(ContractTest):
         self.assertEqual(run.status, 0, run.err)
         self.assertNotIn("halted", run.err)
         self.assertIn("halted", Run(["watch", CIM, "--for", "0.2"]).err)
+
+    def test_the_pins_of_an_encoder_are_no_news(self):
+        run = Run(["drive", CIM, "--mode", "duty", "--target", "0.3", "--for", "0.5"])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual([line for line in run.err.splitlines() if line.endswith((": ", ": : over"))], [])
 
     @contract.long
     def test_every_question_is_asked_as_often_as_one_says(self):

@@ -52,6 +52,13 @@ class DeviceVerbs(ContractTest):
         self.assertIn("sim:can", [row["link"] for row in found["links"]])
         self.assertFalse([row for row in found["devices"] if row["device"].startswith("sim:")])
 
+    def test_a_fault_that_only_some_links_can_have_is_theirs(self):
+        found = self.run_one("scan", "sim:?fault=duplicate")
+        self.assertIn("duplicate", [row["state"] for row in found["devices"]])
+        self.assertEqual([row["link"] for row in found["links"]], ["sim:can?fault=duplicate", "sim:serial?fault=duplicate", "sim:spi"])
+        self.assert_error(2, "scan", "sim:spi?fault=duplicate", says="no device of sim:spi can have the fault 'duplicate'")
+        self.assert_error(2, "scan", "sim:?fault=frob", says="unknown fault 'frob'")
+
     def test_scan_shows_duplicates_by_session(self):
         rows = self.run_one("scan", "sim:can?fault=duplicate")["devices"]
         fives = [row for row in rows if (row["family"], row["address"]) == ("dmc60c", 5)]

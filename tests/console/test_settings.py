@@ -29,6 +29,10 @@ class Snapshots(ContractTest):
         self.assertEqual(set(rows[0]), SNAPSHOT)
         self.assertNotIn(taken, self.run_one("snapshots", LIVELY)["snapshots"])
         self.assertIn("limits for the demo", self.run_text("snapshots"))
+        self.assertIn(taken, self.run_one("snapshots", "sim:can?bitrate=1000000/dmc60c:5")["snapshots"])
+        self.run_one("number", CIM, "10")  # of a bench that ends with it; the unit is remembered
+        self.assertIn(taken, self.run_one("snapshots", "sim:can/dmc60c:10")["snapshots"])
+        self.assertIn("none is kept of what was seen at sim:can/dmc60c:60", self.run_text("snapshots", "sim:can/dmc60c:60"))
 
     def test_no_name_moves_the_cursor_of_a_terminal(self):
         for name in ("a\nb", "a\x1b[31m", "a\x7f", "a\x9bK", "a\tb"):
@@ -205,13 +209,22 @@ class Tags(ContractTest):
         self.assertEqual(self.run_one("rename", place, "left arm"), {"device": place, "old": None, "new": "left arm", "verified": True})
         number = self.run_one("snapshot", place)["snapshot"]
         self.assertIn("left arm", self.run_text("snapshots", place))
+        self.run_one("rename", "sim:serial/supermodified:4", "left arm")  # it was moved there
+        self.assertIn("left arm", self.run_text("snapshots", "sim:serial/supermodified:4"))
+        self.run_one("rename", "sim:serial/supermodified:4", "another")
         self.assertEqual(self.run_one("restore", place, f"snapshot:{number}"), {"changes": []})
         self.assertEqual(self.run_one("rename", place, "right arm")["old"], "left arm")
         self.assertEqual(self.run_one("info", place)["name"], "right arm")
         self.assertIn("right arm", self.run_text("info", place))
         rows = {row["device"]: row["name"] for row in self.run_one("scan", "sim:serial", "sim:can")["devices"]}
-        self.assertEqual((rows[place], rows["sim:serial/supermodified:4"], rows[CIM]), ("right arm", None, "DMC60C"))
+        self.assertEqual((rows[place], rows["sim:serial/supermodified:4"], rows[CIM]), ("right arm", "another", "DMC60C"))
         self.assertIn("right arm", self.run_text("scan", "sim:serial"))
+
+    def test_a_name_has_64_characters_of_any_size_and_no_other_bytes(self):
+        place = "sim:serial/supermodified:5"
+        self.assertTrue(self.run_one("rename", place, 64 * "\N{SMALL ORANGE DIAMOND}")["verified"])
+        self.assert_error(2, "rename", place, 65 * "x", says="this one has 65")
+        self.assert_error(2, "rename", place, b"\xff\xfe", says="UTF-8")
 
     def test_no_notebook_is_begun_to_look_for_a_name(self):
         self.assertIsNone(self.run_one("info", "sim:serial/supermodified:5")["name"])

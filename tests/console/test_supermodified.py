@@ -9,7 +9,7 @@ import threading
 import time
 
 import contract
-from contract import ContractTest
+from contract import ContractTest, Run
 
 # Of positions, samples per second, as the wire allows.
 WIRE_LIMIT = {("D1", 9600): 53, ("D1", 57600): 320, ("D1", 115200): 640, ("D3", 9600): 43.6, ("D3", 57600): 262, ("D3", 115200): 524}
@@ -128,7 +128,10 @@ class SupermodifiedTest(ContractTest):
     def test_a_number_that_another_node_has_is_refused_though_nobody_looked_for_it(self):
         nodes = Nodes(self, "supermodified:4", "supermodified:5")
         link = f"serial:{nodes.path}?baud=57600"
-        self.assert_error(1, "number", f"{link}/supermodified:4", "5", says="used by another node")
+        self.assert_error(2, "number", f"{link}/supermodified:4", "5", says="used by another node of this line; choose a free one")
+        gain = self.run_one("get", f"{link}/supermodified:4", "gain.p")["parameters"]
+        self.assert_error(2, "set", f"{link}/supermodified:4", "gain.p=900", "node.id=5", says="used by another node")
+        self.assertEqual(self.run_one("get", f"{link}/supermodified:4", "gain.p")["parameters"], gain)
         self.assertEqual(self.run_one("number", f"{link}/supermodified:4", "6")["new"], 6)
 
     def test_what_a_profile_stores_and_may_pass_is_said(self):
@@ -274,6 +277,15 @@ class SupermodifiedTest(ContractTest):
         out, err = identifying.communicate(timeout=contract.LIMIT)
         self.assertEqual((identifying.returncode, out), (5, ""), err)
         self.assertIn("see that the motor stands before anything else", err)
+
+    def test_what_a_dialect_does_not_have_is_left_out_of_what_is_restored(self):
+        with tempfile.TemporaryDirectory() as folder:
+            saved = os.path.join(folder, "d3.json")
+            self.run_text("get", "sim:serial/supermodified:5", "--file", saved)
+            run = Run(["--json", "restore", "sim:serial/supermodified:4", saved, "--dry-run"])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertNotIn("error.reaction", run.out)
+        self.assertIn("error.reaction does not exist in this device's dialect, left out", run.err)
 
     def test_the_error_reaction_of_d3_is_not_the_error_level_of_d1(self):
         reactions = "02" + "00" * 19

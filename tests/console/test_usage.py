@@ -152,6 +152,8 @@ class Usage(ContractTest):
             self.assert_error(2, verb, CIM)
         self.assert_error(2, "get", CIM, "slot0.p", "--file", "/nonexistent/file")
         self.assert_error(2, "flash", CIM, f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex", "--target", "f9")
+        for options in ([], ["--dry-run"]):
+            self.assert_error(2, "flash", CIM, f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex", "--target", "f4", *options, says="one kind of chip")
 
     def test_wrong_simulations_are_wrong_usage(self):
         self.assert_error(2, "simulate")

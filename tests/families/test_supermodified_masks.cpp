@@ -226,7 +226,7 @@ TEST(SupermodifiedIds, AnIdThatAnotherNodeGetsWithItsRestartIsTaken)
     ASSERT_TRUE(run(bench.clock, four->renumber(5)));
     const auto refused = run(bench.clock, six->renumber(5));
     ASSERT_FALSE(refused) << "two of one id";
-    EXPECT_EQ(refused.error().fault, Fault::Refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
     EXPECT_TRUE(run(bench.clock, four->renumber(5))) << "its own";
     ASSERT_TRUE(run(bench.clock, four->renumber(7)));
     EXPECT_TRUE(run(bench.clock, six->renumber(5))) << "nobody wants it any more";

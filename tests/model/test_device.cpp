@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all devices have in common: what may be read, written, moved and stopped, and what is known afterwards.
 #include "async/virtualclock.h"
+#include "model/parametertransfer.h"
 #include "support/loosemotor.h"
 #include "support/simulatedsession.h"
 
@@ -65,6 +66,7 @@ public:
     bool obeys = true;
     Fault refusal = Fault::Unsafe; ///< of a write that it does not obey
     Result<void> ownReason;
+    std::optional<ParameterIndex> missing; ///< in its dialect
     int reads = 0;
     int writes = 0;
     int commands = 0;
@@ -107,6 +109,8 @@ private:
         ++releases;
         return {};
     }
+    [[nodiscard]] bool offers(ParameterIndex index) const override { return missing != index; }
+    Task<void> doMayWrite(ParameterIndex, std::int64_t) override { co_return ownReason; }
     Result<void> doMayMove() const override { return ownReason; }
     Result<void> doMayStop() const override { return ownReason; }
     void doStop() override { ++stops; }
@@ -149,6 +153,25 @@ TEST_F(CommonDevice, WhatIsReadIsKnownAndWhatWasNotAnsweredHasFailed)
     motor->answers = false;
     EXPECT_EQ(read(askedRow).error().fault, Fault::Timeout);
     EXPECT_EQ(entry(askedRow).state, ParameterState::Failed);
+}
+
+TEST_F(CommonDevice, NothingIsWrittenWhereOneOfSeveralValuesMayNotBe)
+{
+    const std::vector<ParameterChange> changes{{askedRow, 42}, {placeRow, 42}};
+    NoProgress unseen;
+    const auto written = [&] { return test::run(clock, writeParameters(*motor, changes, unseen)).value(); };
+    make().missing = placeRow;
+    ASSERT_EQ(written().size(), 1U);
+    EXPECT_EQ(written().front().index, placeRow);
+    EXPECT_EQ(written().front().raw.error().fault, Fault::Unsupported);
+    motor->missing.reset();
+    motor->ownReason = fail(Fault::OutOfRange);
+    EXPECT_EQ(written().front().raw.error().fault, Fault::OutOfRange);
+    EXPECT_EQ(write(askedRow).error().fault, Fault::OutOfRange) << "nor one alone";
+    EXPECT_EQ(motor->writes, 0);
+    motor->ownReason = {};
+    EXPECT_EQ(written().size(), 2U);
+    EXPECT_EQ(motor->writes, 2);
 }
 
 TEST_F(CommonDevice, WhatIsWrittenIsKnownAsTheDeviceMadeIt)

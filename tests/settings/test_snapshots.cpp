@@ -2,6 +2,7 @@
 #include "model/unit.h"
 #include "settings/comparison.h"
 #include "settingsbench.h"
+#include "storage/unittags.h"
 
 #include <chrono>
 #include <cstdio>
@@ -100,6 +101,25 @@ TEST_F(Snapshots, AUnitWithATagIsThatUnitWhereverItStands)
     ASSERT_TRUE(book->setTag(place, {}));
     EXPECT_TRUE(book->find("nobody's", place));
     EXPECT_FALSE(book->setTag(unitKeyOf(*bench.device(5)), "x"));
+}
+
+TEST_F(Snapshots, AUnitIsKnownWhereItWasSeenAndUnderItsNewNumber)
+{
+    Device &five = *bench.device(5);
+    const std::string unit = unitKeyOf(five);
+    ASSERT_TRUE(snapshot(five));
+    const auto isAt = [this, &unit](const char *place) {
+        return unitsAt(*database, DeviceSelector::parse(place).value()).contains(unit);
+    };
+    EXPECT_TRUE(isAt("sim:can/dmc60c:5"));
+    EXPECT_TRUE(isAt("sim:can?loss=0.1/dmc60c:5"));
+    EXPECT_FALSE(isAt("sim:serial/dmc60c:5"));
+    EXPECT_FALSE(isAt("sim:can/abstractdc:5"));
+    EXPECT_FALSE(run(settings::renumberKept(five, 7, settings::Origin::Console, book.get(), progress))) << "taken";
+    EXPECT_FALSE(isAt("sim:can/dmc60c:7"));
+    EXPECT_FALSE(isAt("sim:can/dmc60c:10"));
+    ASSERT_TRUE(run(settings::renumberKept(five, 10, settings::Origin::Console, book.get(), progress)));
+    EXPECT_TRUE(isAt("sim:can/dmc60c:10"));
 }
 
 class NodeSnapshots : public test::SettingsBench {

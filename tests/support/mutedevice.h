@@ -24,8 +24,6 @@ private:
     Task<bool> store(Progress &) override { return no<bool>(); }
     Task<std::vector<FaultRecord>> readFaults() override { return no<std::vector<FaultRecord>>(); }
     Task<std::vector<FaultRecord>> clearFaults() override { return no<std::vector<FaultRecord>>(); }
-    Task<void> identify() override { return no<void>(); }
-    Task<void> rename(std::string) override { return no<void>(); }
     Task<void> renumber(int) override { return no<void>(); }
     Task<void> setRate(ChannelIndex, double) override { return no<void>(); }
     [[nodiscard]] Result<void> check(const SetPoint &) const override { return {}; }

@@ -383,6 +383,11 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
     co_return fail(Fault::Unsupported, say("an Abstract DC Drive cannot be asked for its settings"));
 }
 
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
+{
+    co_return m_desk.mayWrite(parameters().parameter(index), raw);
+}
+
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Loop loop = loopOf(parameters().parameter(index));
@@ -419,16 +424,6 @@ Task<std::vector<FaultRecord>> Controller::clearFaults()
     std::vector<FaultRecord> records = co_await readFaults();
     m_logs.output().clearCounts();
     co_return records;
-}
-
-Task<void> Controller::identify()
-{
-    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no lamp to blink"));
-}
-
-Task<void> Controller::rename(std::string)
-{
-    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no name"));
 }
 
 Task<void> Controller::renumber(int)

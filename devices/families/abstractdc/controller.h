@@ -23,8 +23,6 @@ public:
     Task<bool> store(Progress &progress) override { return m_desk.store(progress); }
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override;
-    Task<void> identify() override;
-    Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
@@ -35,6 +33,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
 
     // Device, at once

@@ -119,7 +119,6 @@ bool SettingsDesk::overrunsEver() const
 
 Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
 {
-    co_await mayWrite(parameter, raw);
     const Loop loop = loopOf(parameter);
     const auto value = static_cast<std::int32_t>(raw);
     const bool lowered = fieldOf(parameter) == Field::Averaging && mayOverrun(raw);

@@ -21,7 +21,9 @@ public:
 
     /// Ends when the drive answers a question that was sent behind the order, which is all that can be known; or Timeout.
     [[nodiscard]] Task<void> expectAnswer();
-    /// Yields what was sent. Unsafe, OutOfRange: nothing was.
+    /// Unsafe, OutOfRange: this value cannot be written now.
+    [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
+    /// Yields what was sent. Whoever calls it has asked mayWrite().
     [[nodiscard]] Task<std::int64_t> write(const Parameter &parameter, std::int64_t raw);
     /// Saves the loops that were written since their last save; Device::store().
     [[nodiscard]] Task<bool> store(Progress &progress);
@@ -41,7 +43,6 @@ public:
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> saves() const;
 
 private:
-    [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
     [[nodiscard]] bool mayOverrun(std::int64_t averaging) const;
     [[nodiscard]] std::int64_t savesOf(Loop loop) const;
     /// How often it was saved before; Unsafe where one more is too many.

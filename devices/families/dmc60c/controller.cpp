@@ -26,6 +26,11 @@ void awaitAnswer(Timer &unanswered, Presence &presence)
         unanswered.startIn(answerAtMost, [&presence] { presence.enumerate(); });
 }
 
+std::uint16_t sessionOf(const Identity &identity)
+{
+    return static_cast<std::uint16_t>(identity.session.value_or(0));
+}
+
 /// Braked where the set-point before was: without the override it would coast where the unit's button says so.
 CanFrame stopFrame(int address, bool braked)
 {
@@ -42,7 +47,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     , m_can(link)
     , m_contact{link, clock,
           [this] {
-              return ParameterExchange::Target{this->identity().address, session()};
+              return ParameterExchange::Target{this->identity().address, sessionOf(this->identity())};
           },
           [this] { m_presence.enumerate(); }}
     , m_orders(m_contact)
@@ -179,15 +184,21 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     return m_desk.read(static_cast<std::uint8_t>(parameters().parameter(index).id));
 }
 
-Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t)
 {
-    const Parameter &row = parameters().parameter(index);
     // A loop that holds may have no output either; a set-point is told of one frame later, and ends with the heartbeat.
     const bool ordered = m_commandedAt != Instant{} && clock().now() - m_commandedAt <= heartbeat;
     const bool driven = ordered || m_sense.general().mode != ControlMode::NoDrive;
-    if (row.id == param::encoderPosition && (liveness().moving || driven || m_sense.general().duty != 0))
+    const bool isPlace = parameters().parameter(index).id == param::encoderPosition;
+    if (isPlace && (liveness().moving || driven || m_sense.general().duty != 0))
         co_return fail(
             Fault::Unsafe, say("the position is written only while the output is off"), say("stop the motor first"));
+    co_return {};
+}
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &row = parameters().parameter(index);
     if (row.nature == Nature::Counter && raw != 0) {
         const std::int64_t before = co_await m_desk.clearCounter(row, raw);
         co_return before;
@@ -360,7 +371,7 @@ void Controller::askPeriod(std::uint8_t parameter)
         || clock().now() - m_periodAskedAt < askPeriodAtMost)
         return;
     m_periodAskedAt = clock().now();
-    (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+    (void)m_can.send(encodeParamRequest(identity().address, sessionOf(identity()), parameter));
     awaitAnswer(m_unanswered, m_presence);
 }
 
@@ -372,7 +383,7 @@ void Controller::askFaults()
     if (!listened || !m_faultWatch.isDue(clock().now()))
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
-        (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+        (void)m_can.send(encodeParamRequest(identity().address, sessionOf(identity()), parameter));
     awaitAnswer(m_unanswered, m_presence);
 }
 

@@ -36,6 +36,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<void> doRestart() override;
 
@@ -57,7 +58,6 @@ private:
     void updateLiveness();
     void setState(DeviceState state, Message detail);
     [[nodiscard]] Presence::Owner owner();
-    [[nodiscard]] std::uint16_t session() const { return static_cast<std::uint16_t>(identity().session.value_or(0)); }
 
     CanLink &m_can;
     UnitContact m_contact;

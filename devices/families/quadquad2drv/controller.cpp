@@ -238,6 +238,17 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     return readParameter(m_port, index);
 }
 
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t)
+{
+    const int axis = index.value / parametersPerAxis;
+    const bool isCounter
+        = !isBoard(index) && static_cast<AxisParameter>(index.value % parametersPerAxis) == AxisParameter::Counter;
+    if (isCounter && m_drives.controlMode(axis) == ControlMode::Position)
+        co_return fail(
+            Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
+    co_return {};
+}
+
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
@@ -252,9 +263,6 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     }
     if (m_port.masks()[0] == datamask::startUp)
         co_await m_layout.tellEverything();
-    if (ofAxis && which == AxisParameter::Counter && m_drives.controlMode(axis) == ControlMode::Position)
-        co_return fail(
-            Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
     Bytes request = m_settings.write(index, raw);
     m_layout.noteChange();
     const Result<Packet> reply = co_await m_port.request(std::move(request)).attempt();
@@ -285,11 +293,6 @@ Task<std::vector<FaultRecord>> Controller::readFaults()
     co_return m_sense.records();
 }
 
-Task<void> Controller::identify()
-{
-    co_return fail(Fault::Unsupported, say("the board cannot blink"));
-}
-
 Task<void> Controller::doRestart()
 {
     if (auto pulsed = m_spi.pulseReset(); !pulsed)
@@ -298,11 +301,6 @@ Task<void> Controller::doRestart()
     co_await Sleep(clock(), startTime);
     co_await refresh();
     co_return {};
-}
-
-Task<void> Controller::rename(std::string)
-{
-    co_return fail(Fault::Unsupported, say("the board has no name"));
 }
 
 Task<void> Controller::renumber(int)

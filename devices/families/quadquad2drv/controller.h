@@ -33,8 +33,6 @@ public:
     Task<bool> store(Progress &progress) override;
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
-    Task<void> identify() override;
-    Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
@@ -48,6 +46,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<void> doRestart() override;
     void doProfileChanged() override;

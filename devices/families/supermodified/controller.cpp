@@ -251,11 +251,12 @@ void Controller::updateLiveness()
 
 // What asks and waits
 
-Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
 {
     if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized())
         co_await m_motion.bounds().checkGain(raw, m_motion.count().error());
-    co_return co_await m_settings.write(index, raw);
+    co_await m_settings.mayWrite(index, raw);
+    co_return {};
 }
 
 Task<void> Controller::refresh()
@@ -327,16 +328,6 @@ Task<void> Controller::zeroPosition()
 }
 
 // Identity and rates
-
-Task<void> Controller::identify()
-{
-    co_return fail(Fault::Unsupported, say("a Supermodified cannot blink"));
-}
-
-Task<void> Controller::rename(std::string)
-{
-    co_return fail(Fault::Unsupported, say("a Supermodified has no name"));
-}
 
 Task<void> Controller::renumber(int address)
 {

@@ -30,8 +30,6 @@ public:
     Task<bool> store(Progress &progress) override;
     Task<std::vector<FaultRecord>> readFaults() override;
     Task<std::vector<FaultRecord>> clearFaults() override;
-    Task<void> identify() override;
-    Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     Task<void> zeroPosition() override;
@@ -44,7 +42,8 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
-    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
 
     // Device, at once
     [[nodiscard]] Result<void> doMayMove() const override;

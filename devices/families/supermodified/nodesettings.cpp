@@ -52,14 +52,19 @@ Task<std::int64_t> NodeSettings::read(ParameterIndex index)
     co_return *raw;
 }
 
-Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
+Result<Line::Request> NodeSettings::request(Command command, std::int64_t raw) const
 {
     Node node = m_node;
     if (!node.dialect && command == Command::ErrorLevel)
         node.dialect = Dialect::D1; // the way out of level 1; D3 refuses the short form
-    auto request = co_await setting(node, command, raw);
+    return setting(node, command, raw);
+}
+
+Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
+{
+    auto order = co_await request(command, raw);
     m_line.roster().noteSetting(m_node.id, command, std::nullopt); // a write that is broken off may be in the node
-    (void)co_await talk(request);
+    (void)co_await talk(order);
     co_return {};
 }
 
@@ -86,27 +91,37 @@ Task<void> NodeSettings::writeDuration(std::int64_t raw)
     co_return {};
 }
 
-/// Also by a node that nobody has looked for: two of one id cannot be told apart any more. It is asked for its position.
-Task<bool> NodeSettings::isTaken(int id)
+/// Nobody may have looked for who has it: it is asked for its position. Two of one id cannot be told apart any more.
+Task<void> NodeSettings::mayTake(int id)
 {
+    if (id == m_node.id)
+        co_return {};
+    const Error taken{
+        Fault::OutOfRange, say("node id %1 is used by another node of this line", id), say("choose a free one")};
     if (m_line.roster().isClaimed(id, m_node.id))
-        co_return true;
+        co_return fail(taken);
     auto looking = converse(m_line, asking({id, m_node.baudrate, {}}, Command::GetPosition), {});
     const Result<Frame> reply = co_await std::move(looking).attempt();
     if (!reply && reply.error().fault == Fault::LinkLost)
         co_return fail(reply.error());
-    co_return reply || reply.error().fault != Fault::Timeout;
+    if (reply || reply.error().fault != Fault::Timeout)
+        co_return fail(taken);
+    co_return {};
+}
+
+Task<void> NodeSettings::mayWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &row = m_known.parameter(index);
+    if (auto legal = request(setterOf(row), raw); !legal)
+        co_return fail(legal.error().about(row.key));
+    if (row.id == id::nodeId)
+        co_await mayTake(static_cast<int>(raw));
+    co_return {};
 }
 
 Task<std::int64_t> NodeSettings::write(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = m_known.parameter(index);
-    if (!offers(index))
-        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
-    if (row.id == id::nodeId && raw != m_node.id) {
-        if (const bool taken = co_await isTaken(static_cast<int>(raw)); taken)
-            co_return fail(Fault::Refused, say("node id %1 is used by another node of this line", raw));
-    }
     auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written)

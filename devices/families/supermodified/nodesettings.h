@@ -17,6 +17,8 @@ public:
     [[nodiscard]] bool offers(ParameterIndex index) const;
     /// Raw value in force.
     [[nodiscard]] Task<std::int64_t> read(ParameterIndex index);
+    /// OutOfRange: what the dialect does not take, or an id that another node has or will have.
+    [[nodiscard]] Task<void> mayWrite(ParameterIndex index, std::int64_t raw);
     /// Yields what was sent. A set is answered after its EEPROM was written (README.md#time-outs).
     [[nodiscard]] Task<std::int64_t> write(ParameterIndex index, std::int64_t raw);
     /// One exchange with the node: node.h.
@@ -25,7 +27,8 @@ public:
     void restarted() { m_owedLimit.reset(); }
 
 private:
-    [[nodiscard]] Task<bool> isTaken(int id);
+    [[nodiscard]] Result<Line::Request> request(Command command, std::int64_t raw) const;
+    [[nodiscard]] Task<void> mayTake(int id);
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);
     [[nodiscard]] Task<void> writeNumber(Command command, std::int64_t raw);
     [[nodiscard]] Task<void> writeDuration(std::int64_t raw);

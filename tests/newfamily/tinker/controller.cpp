@@ -97,8 +97,6 @@ private:
         co_return std::vector{FaultRecord{"stalled", m_status.stalled, false, std::nullopt}};
     }
     Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
-    Task<void> identify() override { co_return fail(Fault::Unsupported, say("it has no light")); }
-    Task<void> rename(std::string) override { co_return fail(Fault::Unsupported, say("it has no name")); }
     Task<void> renumber(int) override { co_return fail(Fault::Unsupported, say("its number is soldered")); }
     Task<void> setRate(ChannelIndex, double) override { co_return {}; } // it has one
 
