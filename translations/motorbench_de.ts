@@ -805,6 +805,21 @@
     </message>
 </context>
 <context>
+    <name>MuteUnits</name>
+    <message>
+        <source>Number of the unit that does not answer, %1 … %2. No other one of its family may answer there: a programmer would not tell them apart.</source>
+        <translation>Nummer des Geräts, das nicht antwortet, %1 … %2. Dort darf kein anderes seiner Familie antworten: ein Programmiergerät könnte sie nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>No link is open whose units a programmer writes</source>
+        <translation>Keine Verbindung ist offen, deren Geräte ein Programmiergerät schreibt</translation>
+    </message>
+</context>
+<context>
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
@@ -2228,8 +2243,8 @@
         <translation>geschrieben, nicht bewiesen</translation>
     </message>
     <message>
-        <source>%1 tests again, %2 sets it aside</source>
-        <translation>%1 prüft erneut, %2 legt beiseite</translation>
+        <source>%1 tests again · %2 sets it aside</source>
+        <translation>%1 prüft erneut · %2 legt beiseite</translation>
     </message>
 </context>
 <context>
@@ -3848,6 +3863,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Queue of units</source>
         <translation>Warteschlange</translation>
+    </message>
+    <message>
+        <source>Unit that does not answer</source>
+        <translation>Gerät, das nicht antwortet</translation>
+    </message>
+    <message>
+        <source>A unit whose update was cut may be mute: say where it is, and it can be written again</source>
+        <translation>Ein Gerät, dessen Update unterbrochen wurde, kann stumm sein: sagen, wo es ist, und es kann neu geschrieben werden</translation>
     </message>
 </context>
 <context>
@@ -8392,6 +8415,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>duty %1, which stands in for a limit of current</source>
         <translation>Tastgrad %1, der für eine Stromgrenze einsteht</translation>
     </message>
+    <message>
+        <source>%1 (forgotten)</source>
+        <translation>%1 (vergessen)</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -12446,20 +12473,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Abstract DC Drive lässt sich nicht nach seinen Einstellungen fragen</translation>
     </message>
     <message>
-        <source>lowering it needs a stopped motor</source>
-        <translation>zum Verringern muss der Motor stehen</translation>
-    </message>
-    <message>
         <source>stop the motor first: the drive stands still while it writes its flash</source>
         <translation>zuerst den Motor stoppen: der Antrieb steht still, während er seinen Flash schreibt</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no lamp to blink</source>
-        <translation>ein Abstract DC Drive hat keine Lampe zum Blinken</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no name</source>
-        <translation>ein Abstract DC Drive hat keinen Namen</translation>
     </message>
     <message>
         <source>the offset of an Abstract DC Drive is compiled into its firmware</source>
@@ -12588,14 +12603,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Output times milliseconds per change of error, times the divisor. Its sign is inverted in the drive: only negative numbers damp.</source>
         <translation>Ausgang mal Millisekunden je Änderung der Abweichung, mal Divisor. Das Vorzeichen ist im Antrieb umgekehrt: nur negative Zahlen dämpfen.</translation>
-    </message>
-    <message>
-        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P, I und D werden durch ihn geteilt. Leerer Flash enthält 0, damit arbeitet kein Regler; 0 wird nie geschrieben. Ein negativer Divisor kehrt den Regler um und behält sein Integral über Betriebsarten hinweg.</translation>
-    </message>
-    <message>
-        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>Werte zu je 20 ms in einem Mittelwert des Stroms. Erhöhen ist jederzeit möglich; nach dem Verringern muss die Versorgung des Antriebs kurz getrennt werden, bevor er angesteuert wird.</translation>
     </message>
     <message>
         <source>Averaging</source>
@@ -14738,20 +14745,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein QuadQuad2Drv sitzt an einem SPI-Link</translation>
     </message>
     <message>
-        <source>a Supermodified cannot blink</source>
-        <translation>ein Supermodified kann nicht blinken</translation>
-    </message>
-    <message>
         <source>a Supermodified has an id from 1 to 127, not %1</source>
         <translation>ein Supermodified hat eine Kennung von 1 bis 127, nicht %1</translation>
     </message>
     <message>
         <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>ein Supermodified hat keine Betriebsart &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a Supermodified has no name</source>
-        <translation>ein Supermodified hat keinen Namen</translation>
     </message>
     <message>
         <source>a Supermodified has one axis and one set of gains</source>
@@ -15284,10 +15283,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
         <translation>Leitungen des Motors oder Phasen des Encoders tauschen, bevor ein Regler geschlossen wird</translation>
-    </message>
-    <message>
-        <source>exchange the wires, or the sign of the divisor</source>
-        <translation>die Leitungen tauschen oder das Vorzeichen des Divisors</translation>
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
@@ -16178,10 +16173,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Platine antwortete mit einem Fehler, den ihre Unterlagen nicht nennen</translation>
     </message>
     <message>
-        <source>the board cannot blink</source>
-        <translation>die Platine kann nicht blinken</translation>
-    </message>
-    <message>
         <source>the board did not answer</source>
         <translation>die Platine hat nicht geantwortet</translation>
     </message>
@@ -16200,10 +16191,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the board has axes 1 to 4</source>
         <translation>die Platine hat die Achsen 1 bis 4</translation>
-    </message>
-    <message>
-        <source>the board has no name</source>
-        <translation>die Platine hat keinen Namen</translation>
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
@@ -18880,6 +18867,50 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
         <translation>%1 antwortet, und ein Programmiergerät könnte sie nicht unterscheiden: alle anderen von der Leitung nehmen</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
+        <translation>P, I und D werden durch ihn geteilt. Leerer Flash enthält 0, damit arbeitet kein Regler; 0 wird nie geschrieben. Ein negativer Divisor behält das Integral über Betriebsarten hinweg: Um den Regler umzukehren, die Vorzeichen von P, I und D ändern.</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>Werte zu je 20 ms in einem Mittelwert des Stroms, der falsch ist, bis so viele genommen wurden: Geändert wird bei stehendem Motor. Nach dem Verringern muss die Versorgung des Antriebs kurz getrennt werden, bevor er angesteuert wird.</translation>
+    </message>
+    <message>
+        <source>%1 cannot blink</source>
+        <translation>%1 kann nicht blinken</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>choose a free one</source>
+        <translation>eine freie wählen</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the signs of p, i and d</source>
+        <translation>die Leitungen tauschen oder die Vorzeichen von p, i und d</translation>
+    </message>
+    <message>
+        <source>lower them, or raise the divisor</source>
+        <translation>sie verkleinern oder den Divisor vergrößern</translation>
+    </message>
+    <message>
+        <source>no device of %1 can have the fault &apos;%2&apos;</source>
+        <translation>kein Gerät an %1 kann den Fehler &apos;%2&apos; haben</translation>
+    </message>
+    <message>
+        <source>p and d are so high for the divisor that an error of 1 turns the output to full reverse</source>
+        <translation>p und d sind für den Divisor so groß, dass eine Abweichung von 1 den Ausgang auf voll rückwärts umschlagen lässt</translation>
+    </message>
+    <message>
+        <source>the motor is so far from its target that with this value the output would turn to full reverse</source>
+        <translation>der Motor ist so weit von seinem Ziel entfernt, dass mit diesem Wert der Ausgang auf voll rückwärts umschlüge</translation>
+    </message>
+    <message>
+        <source>until it has averaged once it reads a wrong current</source>
+        <translation>bis er einmal gemittelt hat, liest er einen falschen Strom</translation>
     </message>
 </context>
 </TS>

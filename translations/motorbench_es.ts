@@ -805,6 +805,21 @@
     </message>
 </context>
 <context>
+    <name>MuteUnits</name>
+    <message>
+        <source>Number of the unit that does not answer, %1 … %2. No other one of its family may answer there: a programmer would not tell them apart.</source>
+        <translation>Número del equipo que no responde, %1 … %2. Allí no debe responder ningún otro de su familia: un programador no podría distinguirlos.</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>No link is open whose units a programmer writes</source>
+        <translation>No hay abierto ningún enlace cuyos equipos escriba un programador</translation>
+    </message>
+</context>
+<context>
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
@@ -2228,8 +2243,8 @@
         <translation>escrito, sin demostrar</translation>
     </message>
     <message>
-        <source>%1 tests again, %2 sets it aside</source>
-        <translation>%1 prueba de nuevo, %2 la aparta</translation>
+        <source>%1 tests again · %2 sets it aside</source>
+        <translation>%1 prueba de nuevo · %2 la aparta</translation>
     </message>
 </context>
 <context>
@@ -3848,6 +3863,14 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Queue of units</source>
         <translation>Cola de equipos</translation>
+    </message>
+    <message>
+        <source>Unit that does not answer</source>
+        <translation>Equipo que no responde</translation>
+    </message>
+    <message>
+        <source>A unit whose update was cut may be mute: say where it is, and it can be written again</source>
+        <translation>Un equipo cuya actualización se interrumpió puede quedar mudo: indique dónde está y se podrá escribir de nuevo</translation>
     </message>
 </context>
 <context>
@@ -8392,6 +8415,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>duty %1, which stands in for a limit of current</source>
         <translation>ciclo %1, que sustituye a un límite de corriente</translation>
     </message>
+    <message>
+        <source>%1 (forgotten)</source>
+        <translation>%1 (olvidado)</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11606,14 +11633,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Salida por milisegundos por variación del error, por el divisor. Su signo está invertido en el accionamiento: solo amortiguan los números negativos.</translation>
     </message>
     <message>
-        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P, I y D se dividen por él. La flash en blanco contiene 0, con lo que ningún lazo funciona; 0 no se escribe nunca. Un divisor negativo invierte el lazo y conserva su integral entre modos.</translation>
-    </message>
-    <message>
-        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>Muestras de 20 ms en una media de la corriente. Auméntelo libremente; una vez reducido, el accionamiento debe perder un momento la alimentación antes de accionarlo.</translation>
-    </message>
-    <message>
         <source>Averaging</source>
         <translation>Promediado</translation>
     </message>
@@ -14206,20 +14225,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un QuadQuad2Drv está en un enlace SPI</translation>
     </message>
     <message>
-        <source>a Supermodified cannot blink</source>
-        <translation>un Supermodified no puede parpadear</translation>
-    </message>
-    <message>
         <source>a Supermodified has an id from 1 to 127, not %1</source>
         <translation>un Supermodified tiene un id de 1 a 127, no %1</translation>
     </message>
     <message>
         <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>un Supermodified no tiene el modo «%1»</translation>
-    </message>
-    <message>
-        <source>a Supermodified has no name</source>
-        <translation>un Supermodified no tiene nombre</translation>
     </message>
     <message>
         <source>a Supermodified has one axis and one set of gains</source>
@@ -14510,20 +14521,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>un Abstract DC Drive tiene un offset de 0 a 99, no %1</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no lamp to blink</source>
-        <translation>un Abstract DC Drive no tiene LED que parpadee</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
         <translation>un Abstract DC Drive no tiene finales de carrera, así que no hay anulación de límites</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>un Abstract DC Drive no tiene el modo «%1»</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no name</source>
-        <translation>un Abstract DC Drive no tiene nombre</translation>
     </message>
     <message>
         <source>an Abstract DC Drive is written through a debug probe</source>
@@ -14920,10 +14923,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
         <translation>intercambie los cables del motor o las fases del encoder antes de cerrar ningún lazo</translation>
-    </message>
-    <message>
-        <source>exchange the wires, or the sign of the divisor</source>
-        <translation>intercambie los cables o el signo del divisor</translation>
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
@@ -15380,10 +15379,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>lower the gains or the steps</source>
         <translation>reduzca las ganancias o los escalones</translation>
-    </message>
-    <message>
-        <source>lowering it needs a stopped motor</source>
-        <translation>para reducirlo el motor debe estar parado</translation>
     </message>
     <message>
         <source>made way for an order</source>
@@ -16258,10 +16253,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>la placa respondió con un error que sus documentos no nombran</translation>
     </message>
     <message>
-        <source>the board cannot blink</source>
-        <translation>la placa no puede parpadear</translation>
-    </message>
-    <message>
         <source>the board did not answer</source>
         <translation>la placa no respondió</translation>
     </message>
@@ -16284,10 +16275,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the board has axes 1 to 4</source>
         <translation>la placa tiene los ejes 1 a 4</translation>
-    </message>
-    <message>
-        <source>the board has no name</source>
-        <translation>la placa no tiene nombre</translation>
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
@@ -18880,6 +18867,50 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
         <translation>%1 responde, y un programador no podría distinguirlos: quite de la línea todos los demás</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
+        <translation>P, I y D se dividen por él. La flash en blanco contiene 0, con lo que ningún lazo funciona; 0 no se escribe nunca. Un divisor negativo conserva la integral entre modos: para invertir el lazo, cambie los signos de P, I y D.</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>Muestras de 20 ms en una media de la corriente, que es errónea hasta que se han tomado tantas: se cambia con el motor parado. Una vez reducido, el accionamiento debe perder un momento la alimentación antes de accionarlo.</translation>
+    </message>
+    <message>
+        <source>%1 cannot blink</source>
+        <translation>%1 no puede parpadear</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 no tiene nombre</translation>
+    </message>
+    <message>
+        <source>choose a free one</source>
+        <translation>elija uno libre</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the signs of p, i and d</source>
+        <translation>intercambie los cables o los signos de p, i y d</translation>
+    </message>
+    <message>
+        <source>lower them, or raise the divisor</source>
+        <translation>redúzcalas o aumente el divisor</translation>
+    </message>
+    <message>
+        <source>no device of %1 can have the fault &apos;%2&apos;</source>
+        <translation>ningún dispositivo de %1 puede tener el fallo «%2»</translation>
+    </message>
+    <message>
+        <source>p and d are so high for the divisor that an error of 1 turns the output to full reverse</source>
+        <translation>p y d son tan grandes para el divisor que un error de 1 hace pasar la salida a plena marcha atrás</translation>
+    </message>
+    <message>
+        <source>the motor is so far from its target that with this value the output would turn to full reverse</source>
+        <translation>el motor está tan lejos de su objetivo que con este valor la salida pasaría a plena marcha atrás</translation>
+    </message>
+    <message>
+        <source>until it has averaged once it reads a wrong current</source>
+        <translation>hasta que haya promediado una vez, lee una corriente errónea</translation>
     </message>
 </context>
 </TS>

@@ -805,6 +805,21 @@
     </message>
 </context>
 <context>
+    <name>MuteUnits</name>
+    <message>
+        <source>Number of the unit that does not answer, %1 … %2. No other one of its family may answer there: a programmer would not tell them apart.</source>
+        <translation>Numéro de l’appareil qui ne répond pas, %1 … %2. Aucun autre de sa famille ne doit y répondre : un programmateur ne saurait pas les distinguer.</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>No link is open whose units a programmer writes</source>
+        <translation>Aucune liaison n’est ouverte dont un programmateur écrit les appareils</translation>
+    </message>
+</context>
+<context>
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
@@ -2228,8 +2243,8 @@
         <translation>écrit, non prouvé</translation>
     </message>
     <message>
-        <source>%1 tests again, %2 sets it aside</source>
-        <translation>%1 reteste, %2 met de côté</translation>
+        <source>%1 tests again · %2 sets it aside</source>
+        <translation>%1 reteste · %2 met de côté</translation>
     </message>
 </context>
 <context>
@@ -3848,6 +3863,14 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Queue of units</source>
         <translation>File d’appareils</translation>
+    </message>
+    <message>
+        <source>Unit that does not answer</source>
+        <translation>Appareil qui ne répond pas</translation>
+    </message>
+    <message>
+        <source>A unit whose update was cut may be mute: say where it is, and it can be written again</source>
+        <translation>Un appareil dont la mise à jour a été interrompue peut être muet : dites où il est, et il pourra être réécrit</translation>
     </message>
 </context>
 <context>
@@ -8392,6 +8415,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>duty %1, which stands in for a limit of current</source>
         <translation>rapport cyclique %1, qui remplace une limite de courant</translation>
     </message>
+    <message>
+        <source>%1 (forgotten)</source>
+        <translation>%1 (oublié)</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11606,14 +11633,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Sortie multipliée par des millisecondes par variation d’erreur, multipliée par le diviseur. Son signe est inversé dans le variateur&#xa0;: seuls les nombres négatifs amortissent.</translation>
     </message>
     <message>
-        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche&#x202f;; 0 n’est jamais écrit. Un diviseur négatif inverse la boucle et garde son intégrale d’un mode à l’autre.</translation>
-    </message>
-    <message>
-        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>Échantillons de 20 ms dans une moyenne du courant. Augmentez librement&#x202f;; après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
-    </message>
-    <message>
         <source>Averaging</source>
         <translation>Moyennage</translation>
     </message>
@@ -14206,20 +14225,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>un QuadQuad2Drv est sur une liaison SPI</translation>
     </message>
     <message>
-        <source>a Supermodified cannot blink</source>
-        <translation>un Supermodified ne peut pas clignoter</translation>
-    </message>
-    <message>
         <source>a Supermodified has an id from 1 to 127, not %1</source>
         <translation>un Supermodified a un id de 1 à 127, pas %1</translation>
     </message>
     <message>
         <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>un Supermodified n’a pas de mode «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>a Supermodified has no name</source>
-        <translation>un Supermodified n’a pas de nom</translation>
     </message>
     <message>
         <source>a Supermodified has one axis and one set of gains</source>
@@ -14510,20 +14521,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>un Abstract DC Drive a un offset de 0 à 99, pas %1</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no lamp to blink</source>
-        <translation>un Abstract DC Drive n’a pas de voyant à faire clignoter</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
         <translation>un Abstract DC Drive n’a pas de fins de course, ils ne peuvent donc pas être ignorés</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>un Abstract DC Drive n’a pas de mode «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no name</source>
-        <translation>un Abstract DC Drive n’a pas de nom</translation>
     </message>
     <message>
         <source>an Abstract DC Drive is written through a debug probe</source>
@@ -14920,10 +14923,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
         <translation>permutez les fils du moteur ou les phases du codeur avant de fermer une boucle</translation>
-    </message>
-    <message>
-        <source>exchange the wires, or the sign of the divisor</source>
-        <translation>permutez les fils, ou le signe du diviseur</translation>
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
@@ -15380,10 +15379,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>lower the gains or the steps</source>
         <translation>réduisez les gains ou les échelons</translation>
-    </message>
-    <message>
-        <source>lowering it needs a stopped motor</source>
-        <translation>la diminuer demande un moteur à l’arrêt</translation>
     </message>
     <message>
         <source>made way for an order</source>
@@ -16258,10 +16253,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>la carte a répondu par une erreur que ses documents ne nomment pas</translation>
     </message>
     <message>
-        <source>the board cannot blink</source>
-        <translation>la carte ne peut pas clignoter</translation>
-    </message>
-    <message>
         <source>the board did not answer</source>
         <translation>la carte n’a pas répondu</translation>
     </message>
@@ -16284,10 +16275,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the board has axes 1 to 4</source>
         <translation>la carte a les axes 1 à 4</translation>
-    </message>
-    <message>
-        <source>the board has no name</source>
-        <translation>la carte n’a pas de nom</translation>
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
@@ -18879,7 +18866,51 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
-        <translation>%1 répond, et un programmateur ne saurait pas les distinguer : retirez tous les autres de la ligne</translation>
+        <translation>%1 répond, et un programmateur ne saurait pas les distinguer&#xa0;: retirez tous les autres de la ligne</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
+        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche ; 0 n’est jamais écrit. Un diviseur négatif garde l’intégrale d’un mode à l’autre : pour inverser la boucle, changez les signes de P, I et D.</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>Échantillons de 20 ms dans une moyenne du courant, qui est fausse tant qu’il n’y en a pas eu autant : on la change moteur à l’arrêt. Après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
+    </message>
+    <message>
+        <source>%1 cannot blink</source>
+        <translation>%1 ne peut pas clignoter</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>choose a free one</source>
+        <translation>choisissez-en un libre</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the signs of p, i and d</source>
+        <translation>permutez les fils, ou les signes de p, i et d</translation>
+    </message>
+    <message>
+        <source>lower them, or raise the divisor</source>
+        <translation>diminuez-les, ou augmentez le diviseur</translation>
+    </message>
+    <message>
+        <source>no device of %1 can have the fault &apos;%2&apos;</source>
+        <translation>aucun appareil de %1 ne peut avoir le défaut « %2 »</translation>
+    </message>
+    <message>
+        <source>p and d are so high for the divisor that an error of 1 turns the output to full reverse</source>
+        <translation>p et d sont si grands pour le diviseur qu’un écart de 1 fait basculer la sortie à fond en arrière</translation>
+    </message>
+    <message>
+        <source>the motor is so far from its target that with this value the output would turn to full reverse</source>
+        <translation>le moteur est si loin de sa cible qu’avec cette valeur la sortie basculerait à fond en arrière</translation>
+    </message>
+    <message>
+        <source>until it has averaged once it reads a wrong current</source>
+        <translation>tant qu’il n’a pas fait une moyenne complète, il lit un courant faux</translation>
     </message>
 </context>
 </TS>

@@ -805,6 +805,21 @@
     </message>
 </context>
 <context>
+    <name>MuteUnits</name>
+    <message>
+        <source>Number of the unit that does not answer, %1 … %2. No other one of its family may answer there: a programmer would not tell them apart.</source>
+        <translation>応答しない機器の番号、%1 … %2。そこで同じファミリの別の機器が応答してはいけません。書き込み装置では区別できません。</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>No link is open whose units a programmer writes</source>
+        <translation>書き込み装置で書き込む機器のリンクは開いていません</translation>
+    </message>
+</context>
+<context>
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
@@ -2226,8 +2241,8 @@
         <translation>書き込み済み、未確認</translation>
     </message>
     <message>
-        <source>%1 tests again, %2 sets it aside</source>
-        <translation>%1 で再テスト、%2 でよける</translation>
+        <source>%1 tests again · %2 sets it aside</source>
+        <translation>%1 で再テスト · %2 でよける</translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3861,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Queue of units</source>
         <translation>機器のキュー</translation>
+    </message>
+    <message>
+        <source>Unit that does not answer</source>
+        <translation>応答しない機器</translation>
+    </message>
+    <message>
+        <source>A unit whose update was cut may be mute: say where it is, and it can be written again</source>
+        <translation>更新が中断された機器は応答しないことがあります。場所を指定すれば、もう一度書き込めます</translation>
     </message>
 </context>
 <context>
@@ -8381,6 +8404,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>duty %1, which stands in for a limit of current</source>
         <translation>デューティ %1 (電流制限の代わり)</translation>
     </message>
+    <message>
+        <source>%1 (forgotten)</source>
+        <translation>%1 (削除済み)</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11589,14 +11616,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>偏差の変化あたりの出力とミリ秒の積 × 除数。ドライブ内で符号が反転します: 負の数だけが制動に働きます。</translation>
     </message>
     <message>
-        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P、I、D はこの値で割られます。空のフラッシュの値は 0 で、その場合ループは動作しません。0 は書き込みません。負の除数はループを反転させ、モードが変わっても積分値を保持します。</translation>
-    </message>
-    <message>
-        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>電流の平均に使う 20 ms サンプルの数。増やすのは自由ですが、減らした場合は、駆動する前にドライブの電源をいったん切る必要があります。</translation>
-    </message>
-    <message>
         <source>Averaging</source>
         <translation>平均化</translation>
     </message>
@@ -14189,20 +14208,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>QuadQuad2Drv は SPI リンク専用です</translation>
     </message>
     <message>
-        <source>a Supermodified cannot blink</source>
-        <translation>Supermodified は点滅できません</translation>
-    </message>
-    <message>
         <source>a Supermodified has an id from 1 to 127, not %1</source>
         <translation>Supermodified の ID は 1 ～ 127 です。%1 は使えません</translation>
     </message>
     <message>
         <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>Supermodified にモード「%1」はありません</translation>
-    </message>
-    <message>
-        <source>a Supermodified has no name</source>
-        <translation>Supermodified には名前がありません</translation>
     </message>
     <message>
         <source>a Supermodified has one axis and one set of gains</source>
@@ -14493,20 +14504,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Abstract DC Drive のオフセットは 0 ～ 99 です。%1 は使えません</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no lamp to blink</source>
-        <translation>Abstract DC Drive には点滅するランプがありません</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
         <translation>Abstract DC Drive にはリミットスイッチがないため、リミットの無効化もありません</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>Abstract DC Drive にモード「%1」はありません</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no name</source>
-        <translation>Abstract DC Drive には名前がありません</translation>
     </message>
     <message>
         <source>an Abstract DC Drive is written through a debug probe</source>
@@ -14903,10 +14906,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
         <translation>閉ループ制御を始める前に、モーターの配線またはエンコーダの相を入れ替えてください</translation>
-    </message>
-    <message>
-        <source>exchange the wires, or the sign of the divisor</source>
-        <translation>配線を入れ替えるか、除数の符号を変えてください</translation>
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
@@ -15363,10 +15362,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>lower the gains or the steps</source>
         <translation>ゲインまたはステップを小さくしてください</translation>
-    </message>
-    <message>
-        <source>lowering it needs a stopped motor</source>
-        <translation>小さくするにはモーターの停止が必要です</translation>
     </message>
     <message>
         <source>made way for an order</source>
@@ -16241,10 +16236,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>基板が文書にないエラーで応答しました</translation>
     </message>
     <message>
-        <source>the board cannot blink</source>
-        <translation>基板は点滅できません</translation>
-    </message>
-    <message>
         <source>the board did not answer</source>
         <translation>基板が応答しませんでした</translation>
     </message>
@@ -16267,10 +16258,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the board has axes 1 to 4</source>
         <translation>基板の軸は 1 ～ 4 です</translation>
-    </message>
-    <message>
-        <source>the board has no name</source>
-        <translation>基板には名前がありません</translation>
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
@@ -18863,6 +18850,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
         <translation>%1 が応答しており、書き込み装置では区別できません。ほかの機器をすべて回線から取り外してください</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
+        <translation>P、I、D はこの値で割られます。空のフラッシュの値は 0 で、その場合ループは動作しません。0 は書き込みません。負の除数はモードが変わっても積分値を保持します。ループを反転させるには、P、I、D の符号を変えてください。</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>電流の平均に使う 20 ms サンプルの数。その数だけ取得されるまで電流の読みは正しくないため、モーターの停止中に変更します。減らした場合は、駆動する前にドライブの電源をいったん切る必要があります。</translation>
+    </message>
+    <message>
+        <source>%1 cannot blink</source>
+        <translation>%1 は点滅できません</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 には名前がありません</translation>
+    </message>
+    <message>
+        <source>choose a free one</source>
+        <translation>空いているものを選んでください</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the signs of p, i and d</source>
+        <translation>配線を入れ替えるか、p、i、d の符号を変えてください</translation>
+    </message>
+    <message>
+        <source>lower them, or raise the divisor</source>
+        <translation>それらを下げるか、除数を上げてください</translation>
+    </message>
+    <message>
+        <source>no device of %1 can have the fault &apos;%2&apos;</source>
+        <translation>%1 には fault「%2」を起こせる機器がありません</translation>
+    </message>
+    <message>
+        <source>p and d are so high for the divisor that an error of 1 turns the output to full reverse</source>
+        <translation>除数に対して p と d が大きすぎ、偏差 1 で出力が逆転最大に反転します</translation>
+    </message>
+    <message>
+        <source>the motor is so far from its target that with this value the output would turn to full reverse</source>
+        <translation>モーターが目標から離れすぎており、この値では出力が逆転最大に反転します</translation>
+    </message>
+    <message>
+        <source>until it has averaged once it reads a wrong current</source>
+        <translation>一度平均し終えるまで、電流の読みは正しくありません</translation>
     </message>
 </context>
 </TS>

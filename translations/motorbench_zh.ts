@@ -805,6 +805,21 @@
     </message>
 </context>
 <context>
+    <name>MuteUnits</name>
+    <message>
+        <source>Number of the unit that does not answer, %1 … %2. No other one of its family may answer there: a programmer would not tell them apart.</source>
+        <translation>无应答设备的编号，%1 … %2。那里不得有同系列的其他设备应答：编程器无法区分它们。</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%2 上的 %1</translation>
+    </message>
+    <message>
+        <source>No link is open whose units a programmer writes</source>
+        <translation>没有打开由编程器写入其设备的链路</translation>
+    </message>
+</context>
+<context>
     <name>PlotFeed</name>
     <message>
         <source>%1: %2</source>
@@ -2226,8 +2241,8 @@
         <translation>已写入，未证实</translation>
     </message>
     <message>
-        <source>%1 tests again, %2 sets it aside</source>
-        <translation>%1 再次测试，%2 搁置</translation>
+        <source>%1 tests again · %2 sets it aside</source>
+        <translation>%1 再次测试 · %2 搁置</translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3861,14 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Queue of units</source>
         <translation>设备队列</translation>
+    </message>
+    <message>
+        <source>Unit that does not answer</source>
+        <translation>无应答的设备</translation>
+    </message>
+    <message>
+        <source>A unit whose update was cut may be mute: say where it is, and it can be written again</source>
+        <translation>更新被中断的设备可能不再应答：指出它在哪里，即可重新写入</translation>
     </message>
 </context>
 <context>
@@ -8381,6 +8404,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>duty %1, which stands in for a limit of current</source>
         <translation>占空比 %1（代替电流限制）</translation>
     </message>
+    <message>
+        <source>%1 (forgotten)</source>
+        <translation>%1（已删除）</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11589,14 +11616,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>误差每变化一单位的输出乘毫秒，再乘以除数。其符号在驱动器中取反：只有负数才有阻尼作用。</translation>
     </message>
     <message>
-        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
-        <translation>P、I 和 D 除以它。空白闪存中为 0，此时任何回路都不工作；绝不会写入 0。负除数会使回路反向，并在切换模式时保留其积分。</translation>
-    </message>
-    <message>
-        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>电流平均值中 20 ms 采样的个数。可随意增大；一旦减小，驱动器在被驱动之前必须短暂断电。</translation>
-    </message>
-    <message>
         <source>Averaging</source>
         <translation>平均</translation>
     </message>
@@ -14189,20 +14208,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>QuadQuad2Drv 存在于 SPI 链路上</translation>
     </message>
     <message>
-        <source>a Supermodified cannot blink</source>
-        <translation>Supermodified 不能闪烁</translation>
-    </message>
-    <message>
         <source>a Supermodified has an id from 1 to 127, not %1</source>
         <translation>Supermodified 的 ID 为 1 到 127，而非 %1</translation>
     </message>
     <message>
         <source>a Supermodified has no mode &apos;%1&apos;</source>
         <translation>Supermodified 没有模式“%1”</translation>
-    </message>
-    <message>
-        <source>a Supermodified has no name</source>
-        <translation>Supermodified 没有名称</translation>
     </message>
     <message>
         <source>a Supermodified has one axis and one set of gains</source>
@@ -14493,20 +14504,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Abstract DC Drive 的偏移量为 0 到 99，而非 %1</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive has no lamp to blink</source>
-        <translation>Abstract DC Drive 没有可闪烁的指示灯</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
         <translation>Abstract DC Drive 没有限位开关，因此没有限位覆盖</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
         <translation>Abstract DC Drive 没有模式“%1”</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no name</source>
-        <translation>Abstract DC Drive 没有名称</translation>
     </message>
     <message>
         <source>an Abstract DC Drive is written through a debug probe</source>
@@ -14903,10 +14906,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
         <translation>在闭合任何回路之前，对调电机的导线或编码器的相线</translation>
-    </message>
-    <message>
-        <source>exchange the wires, or the sign of the divisor</source>
-        <translation>对调导线，或更改除数的符号</translation>
     </message>
     <message>
         <source>expected time, channel, value and unit</source>
@@ -15363,10 +15362,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>lower the gains or the steps</source>
         <translation>减小增益或阶跃</translation>
-    </message>
-    <message>
-        <source>lowering it needs a stopped motor</source>
-        <translation>降低它需要电机停止</translation>
     </message>
     <message>
         <source>made way for an order</source>
@@ -16241,10 +16236,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>板卡以其文档未提及的错误应答</translation>
     </message>
     <message>
-        <source>the board cannot blink</source>
-        <translation>板卡不能闪烁</translation>
-    </message>
-    <message>
         <source>the board did not answer</source>
         <translation>板卡没有应答</translation>
     </message>
@@ -16267,10 +16258,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the board has axes 1 to 4</source>
         <translation>板卡有轴 1 到 4</translation>
-    </message>
-    <message>
-        <source>the board has no name</source>
-        <translation>板卡没有名称</translation>
     </message>
     <message>
         <source>the board has no number: chip select tells boards apart</source>
@@ -18863,6 +18850,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 answers, and a programmer would not tell them apart: take all others off the line</source>
         <translation>%1 有应答，而编程器无法区分它们：请将其他设备全部从线路上取下</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
+        <translation>P、I 和 D 除以它。空白闪存中为 0，此时任何回路都不工作；绝不会写入 0。负除数会在切换模式时保留积分：要使回路反向，请更改 P、I 和 D 的符号。</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>电流平均值中 20 ms 采样的个数；采满这么多之前电流读数是错误的，因此在电机静止时更改。一旦减小，驱动器在被驱动之前必须短暂断电。</translation>
+    </message>
+    <message>
+        <source>%1 cannot blink</source>
+        <translation>%1 不能闪烁</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 没有名称</translation>
+    </message>
+    <message>
+        <source>choose a free one</source>
+        <translation>请选择空闲的一个</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the signs of p, i and d</source>
+        <translation>对调导线，或更改 p、i 和 d 的符号</translation>
+    </message>
+    <message>
+        <source>lower them, or raise the divisor</source>
+        <translation>减小它们，或增大除数</translation>
+    </message>
+    <message>
+        <source>no device of %1 can have the fault &apos;%2&apos;</source>
+        <translation>%1 上没有设备可以有故障“%2”</translation>
+    </message>
+    <message>
+        <source>p and d are so high for the divisor that an error of 1 turns the output to full reverse</source>
+        <translation>p 和 d 相对于除数过大，偏差为 1 就会使输出翻转为全反向</translation>
+    </message>
+    <message>
+        <source>the motor is so far from its target that with this value the output would turn to full reverse</source>
+        <translation>电机离目标太远，用这个值输出会翻转为全反向</translation>
+    </message>
+    <message>
+        <source>until it has averaged once it reads a wrong current</source>
+        <translation>在完成一次平均之前，读到的电流是错误的</translation>
     </message>
 </context>
 </TS>
