@@ -68,8 +68,7 @@ Task<void> ExperimentRun::prepare()
     double place = co_await hearPosition();
     m_start.origin = m_around.start ? m_around.start->value_or(place) : place;
     m_start.gone = place - m_start.origin;
-    const bool counted = m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
-    if (counted) // from its start
+    if (isCounted())
         m_start.origin -= std::exchange(place, 0.0);
     const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_start.origin);
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
@@ -87,10 +86,7 @@ Task<void> ExperimentRun::prepare()
     m_trial.stimulus = *stimulus;
     m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
     m_trial.envelope = *envelope;
-    if (!counted) {
-        for (const double target : {stimulus->from, stimulus->to})
-            co_await m_device.check(m_motion.setPointAt(target));
-    }
+    co_await checkTargets(m_plan.gains.empty());
     if (m_plan.keep != Keep::Always) {
         m_owed = co_await readReplaced(m_device, m_plan.gains);
     }
@@ -126,9 +122,24 @@ Task<void> ExperimentRun::perform()
     co_return {};
 }
 
+bool ExperimentRun::isCounted() const
+{
+    return m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
+}
+
+Result<void> ExperimentRun::checkTargets(bool inForce) const
+{
+    for (const double target : {m_trial.stimulus.from, m_trial.stimulus.to}) {
+        const auto checked = isCounted() ? Result<void>() : m_device.check(m_motion.setPointAt(target));
+        if (!checked && (inForce || checked.error().fault != Fault::Unsafe))
+            return checked;
+    }
+    return {};
+}
+
 Task<void> ExperimentRun::zero()
 {
-    if (m_plan.mode != Mode::Position || !m_device.family().capabilities.zeroPosition)
+    if (!isCounted())
         co_return {};
     co_await m_user.mayGoOn();
     m_stoppedForZero = true;
@@ -159,6 +170,7 @@ Task<void> ExperimentRun::writeDown()
         m_wrote = true;
         co_await writeGains(m_device, m_plan.gains);
         m_inForce = true;
+        co_await checkTargets(true);
     }
     m_trial.gains = co_await readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
     co_return {};

@@ -38,6 +38,9 @@ private:
     [[nodiscard]] Task<void> findDirection();
     [[nodiscard]] Task<void> releaseKept();
     [[nodiscard]] Task<void> putBack();
+    [[nodiscard]] bool isCounted() const; ///< its positions are counted from its start
+    /// `inForce`: the gains of the plan are. Before, what is unsafe with those that stand may be safe with them.
+    [[nodiscard]] Result<void> checkTargets(bool inForce) const;
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
     void note(const Message &text) const;

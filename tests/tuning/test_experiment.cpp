@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
@@ -357,6 +358,30 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     plan.gains = {bench.change("current.averaging", 1.0)};
     EXPECT_FALSE(bench.run(plan));
+}
+
+TEST(Experiment, ATargetIsJudgedByTheGainsThatItIsTriedWith)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 5, "abstractdc:5,dialect=D,motor=rs775");
+    for (const auto &[key, value] :
+        {std::pair("velocity.p", 40'000.0), std::pair("velocity.d", 0.0), std::pair("velocity.divisor", 1.0)}) {
+        const ParameterChange gain = bench.change(key, value);
+        ASSERT_TRUE(run(bench.bench.clock, bench.device->write(gain.index, gain.raw))) << key;
+    }
+    const auto plain = bench.run(stepTo(Mode::Velocity, 4000.0));
+    ASSERT_FALSE(plain) << "an error of 1 turns the output round";
+    EXPECT_EQ(plain.error().fault, Fault::Unsafe);
+    ExperimentPlan better = stepTo(Mode::Velocity, 4000.0);
+    better.gains = {bench.change("velocity.p", 50.0)};
+    better.keep = Keep::Always;
+    expectDone(bench.run(better));
+    ExperimentPlan worse = stepTo(Mode::Velocity, 4000.0);
+    worse.gains = {bench.change("velocity.p", 40'000.0)};
+    worse.keep = Keep::Always;
+    const auto refused = bench.run(worse);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
 }
 
 /// Its 16 bits wrap (abstractdc/README.md#wraps), so a target never leads by more than the gains allow; of unknown ones it begins near.

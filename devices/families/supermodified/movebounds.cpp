@@ -44,8 +44,12 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
     MB_TRY_VOID(legal("--acceleration", setPoint.acceleration, steepest, "counts/s²"));
     if (setPoint.mode != Mode::RampPosition || !isNarrow())
         return {};
-    if (velocity(setPoint) && acceleration(setPoint))
-        return legal("profile.velocity", *velocity(setPoint), fastest, "counts/s");
+    if (velocity(setPoint) && acceleration(setPoint)) {
+        auto kept = legal("profile.velocity", *velocity(setPoint), fastest, "counts/s");
+        if (!kept)
+            kept.error().remedy = say("give --velocity, or write a lower profile.velocity");
+        return kept;
+    }
     return fail(Fault::Unsafe, say("its profile is not known, so a move that passes its target could not be told"),
         say("read profile.velocity and profile.acceleration"));
 }
