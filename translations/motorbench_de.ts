@@ -18912,5 +18912,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>until it has averaged once it reads a wrong current</source>
         <translation>bis er einmal gemittelt hat, liest er einen falschen Strom</translation>
     </message>
+    <message>
+        <source>give --velocity, or write a lower profile.velocity</source>
+        <translation>--velocity angeben oder eine kleinere profile.velocity schreiben</translation>
+    </message>
 </context>
 </TS>

@@ -18912,5 +18912,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>until it has averaged once it reads a wrong current</source>
         <translation>hasta que haya promediado una vez, lee una corriente errónea</translation>
     </message>
+    <message>
+        <source>give --velocity, or write a lower profile.velocity</source>
+        <translation>indique --velocity o escriba un profile.velocity menor</translation>
+    </message>
 </context>
 </TS>

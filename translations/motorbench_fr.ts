@@ -18870,11 +18870,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor keeps the integral across modes: to reverse the loop, change the signs of P, I and D.</source>
-        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche ; 0 n’est jamais écrit. Un diviseur négatif garde l’intégrale d’un mode à l’autre : pour inverser la boucle, changez les signes de P, I et D.</translation>
+        <translation>P, I et D sont divisés par lui. Une flash vierge contient 0, avec quoi aucune boucle ne marche&#x202f;; 0 n’est jamais écrit. Un diviseur négatif garde l’intégrale d’un mode à l’autre&#x202f;: pour inverser la boucle, changez les signes de P, I et D.</translation>
     </message>
     <message>
         <source>Samples of 20 ms in a mean of the current, which reads wrong until so many were taken: it is changed at a standstill. Once lowered, the drive must lose its power for a moment before it is driven.</source>
-        <translation>Échantillons de 20 ms dans une moyenne du courant, qui est fausse tant qu’il n’y en a pas eu autant : on la change moteur à l’arrêt. Après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
+        <translation>Échantillons de 20 ms dans une moyenne du courant, qui est fausse tant qu’il n’y en a pas eu autant&#x202f;: on la change moteur à l’arrêt. Après une diminution, l’alimentation du variateur doit être brièvement coupée avant de le piloter.</translation>
     </message>
     <message>
         <source>%1 cannot blink</source>
@@ -18911,6 +18911,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>until it has averaged once it reads a wrong current</source>
         <translation>tant qu’il n’a pas fait une moyenne complète, il lit un courant faux</translation>
+    </message>
+    <message>
+        <source>give --velocity, or write a lower profile.velocity</source>
+        <translation>indiquez --velocity ou écrivez un profile.velocity plus bas</translation>
     </message>
 </context>
 </TS>

@@ -18895,5 +18895,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>until it has averaged once it reads a wrong current</source>
         <translation>一度平均し終えるまで、電流の読みは正しくありません</translation>
     </message>
+    <message>
+        <source>give --velocity, or write a lower profile.velocity</source>
+        <translation>--velocity を指定するか、より小さい profile.velocity を書き込んでください</translation>
+    </message>
 </context>
 </TS>

@@ -18895,5 +18895,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>until it has averaged once it reads a wrong current</source>
         <translation>在完成一次平均之前，读到的电流是错误的</translation>
     </message>
+    <message>
+        <source>give --velocity, or write a lower profile.velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>
