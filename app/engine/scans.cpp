@@ -57,6 +57,7 @@ void Scans::scan(Link &link, ScanExtent extent)
     if (round.running || link.state() != LinkState::Open || isTaken(link))
         return;
     round.running = true;
+    round.isCut = false;
     round.isAsked = extent != ScanExtent::Quick;
     m_last = m_context.clock.now();
     ScanOptions options;
@@ -121,7 +122,8 @@ void Scans::look()
     if (!isQuiet() || m_context.clock.now() - m_last < rescanPeriod)
         return;
     for (Link *link : m_context.session.links()) {
-        if (link->kind() == LinkKind::Can) // looking over serial rates would disturb the devices that work
+        if (link->kind() == LinkKind::Can
+            || m_rounds[link].isCut) // looking over serial rates would disturb the devices that work
             scan(*link);
     }
 }
@@ -172,6 +174,9 @@ void Scans::carryOut(const orders::FindMute &order, const std::function<void(Res
     if (!link)
         return finished(fail(link.error()));
     Round &round = m_rounds[*link];
+    if (round.running && round.isAsked)
+        return finished(fail(Fault::Unsafe, say("somebody searches here already"), say("wait until it is done")));
+    round.isCut |= round.running;
     end(round);
     round.running = true;
     round.isAsked = true;

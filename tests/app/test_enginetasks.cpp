@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -203,6 +205,29 @@ TEST(MuteUnits, AreInTheListForTheirFirmwareWhereNoOtherOfTheirFamilyAnswers)
     core.send(orders::UpdateFirmware{*mute, std::make_shared<FirmwareImage>(), {}}, begun.finished());
     ASSERT_TRUE(clock.runUntil([&begun] { return begun.has_value(); }, 2min));
     EXPECT_EQ(core.snapshot().operations.back().device, *mute) << "it was taken, with an image that holds nothing";
+}
+
+TEST(MuteUnits, AreSearchedForBesideALookAndNotBesideAnotherSearch)
+{
+    VirtualClock clock;
+    EngineCore core(clock, families(), false);
+    const auto find = [&core](test::Heard<DeviceId> &found) {
+        core.send(orders::FindMute{"sim:serial", "supermodified", 4}, found.finished());
+    };
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:serial")});
+    ASSERT_TRUE(clock.runUntil(
+        [&core] { return !core.snapshot().links.empty() && core.snapshot().links.front().scanning; }, 10s));
+    test::Heard<DeviceId> found;
+    find(found);
+    test::Heard<DeviceId> another;
+    find(another);
+    ASSERT_TRUE(clock.runUntil([&] { return found.has_value() && another.has_value(); }, 2min));
+    EXPECT_EQ(another->error().fault, Fault::Unsafe);
+    const auto isListed = [&core] {
+        const auto all = core.session().devices();
+        return std::ranges::any_of(all, [](const Device *device) { return device->identity().address == 5; });
+    };
+    EXPECT_TRUE(clock.runUntil(isListed, 2min)) << "the look is made again";
 }
 
 } // namespace

@@ -372,8 +372,9 @@ void FirmwareTest::aUnitThatDoesNotAnswerIsNamedByItsLinkAndNumber()
     };
     name(6);
     name(8);
+    name(9);
     const auto ordered = bench.workbench.given<orders::FindMute>();
-    QCOMPARE(ordered.size(), std::size_t(2));
+    QCOMPARE(ordered.size(), std::size_t(3));
     QCOMPARE(ordered[0].link, std::string("sim:can"));
     QCOMPARE(ordered[0].family, std::string("abstractdc"));
     QCOMPARE(ordered[0].address, 6);
@@ -382,6 +383,9 @@ void FirmwareTest::aUnitThatDoesNotAnswerIsNamedByItsLinkAndNumber()
     QVERIFY2(!bench.page->isQueueShown(), "it is written by itself");
     ordered[1].finished(fail(Fault::Timeout, say("nothing")));
     QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("nothing")));
+    const std::size_t told = bench.workbench.lines.size();
+    ordered[2].finished(fail(Fault::Cancelled));
+    QCOMPARE(bench.workbench.lines.size(), told);
     QVERIFY(bench.selection.device() == DeviceId{2});
 }
 

@@ -5,7 +5,6 @@
 
 #include <QDialog>
 #include <QFileDialog>
-#include <QLineEdit>
 #include <QMenu>
 #include <QSet>
 
@@ -19,20 +18,10 @@ private Q_SLOTS:
     void theWholeSessionIsExportedWithItsDevices();
     void anExportHasWhatWasSeenWhenItWasOrdered();
     void anExportCanBeCancelled();
-    void layoutsComeBack();
-    void aLayoutWaitsForItsDevices();
-    void aFamilyCanBeginWithItsOwnLayout();
-    void aLayoutThatCannotBeKeptIsTold();
-    void aLayoutIsOfferedBeforeADiskHasIt();
-    void theNextWindowBeginsWithWhatWasChangedAMomentAgo();
-    void resetBringsTheUsualBack();
     void theScrubberScrollsBackWhileRecording();
     void recordingBeginsBeforeItWasAskedFor();
     void whatIsKeptAndNotSavedIsWrittenWhenTheProgramEnds();
     void aFullDiskIsToldOnceAndNothingIsCalledWritten();
-    void aChangeStandsWhileALayoutWaitsForADevice();
-    void tracesOfALinkThatIsClosedComeBackWithIt();
-    void aDerivedSignalThatWaitsForItsDevicesRebuildsNothing();
     void whatIsPlayedIsNotRecordedAgain();
     void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
     void recordingsOfOneSecondHaveNamesOfTheirOwn();
@@ -139,124 +128,6 @@ void TestPlotKeeping::anExportCanBeCancelled()
     QVERIFY(!QFile::exists(folder.filePath(s("a.csv.part"))));
 }
 
-void TestPlotKeeping::layoutsComeBack()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.page->setLayoutFolder(folder.path());
-    bench.page->addSignal({{2}, channel("velocity")});
-    bench.page->removeSignal({{1}, channel("duty")});
-    bench.board().setSecondAxis(bench.trace("#5 current").id, true);
-    QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
-    bench.board().moveToPane(bench.trace("sum").id, bench.board().paneOf(-1));
-    bench.stack().view().setWindow(30.0);
-    const PlotLayout layout = bench.page->layoutBook().current();
-    const auto parsed = PlotLayout::fromJson(layout.toJson());
-    QVERIFY(parsed && *parsed == layout);
-    bench.page.reset(); // the end of the program
-    bench.open();
-    bench.page->setLayoutFolder(folder.path());
-    QVERIFY(bench.page->layoutBook().current() == layout);
-    QVERIFY(!PlotLayout::fromJson("{}"));
-    QVERIFY(!PlotLayout::fromJson("{\"motorbench\":\"plot layout\",\"window\":-1}"));
-    QVERIFY(bench.page->layoutBook().layouts().names().isEmpty()); // @last is nobody's name
-}
-
-void TestPlotKeeping::aLayoutWaitsForItsDevices()
-{
-    PlotBench bench;
-    bench.page->addSignal({{2}, channel("velocity")});
-    const PlotLayout layout = bench.page->layoutBook().current();
-    const DeviceView second = bench.workbench.shot.devices.back();
-    bench.page.reset();
-    bench.workbench.shot.devices.pop_back();
-    bench.open();
-    bench.page->layoutBook().apply(layout);
-    QCOMPARE(bench.page->traceCount(), std::size_t{4});
-    bench.workbench.shot.devices.push_back(second);
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{5});
-}
-
-void TestPlotKeeping::aFamilyCanBeginWithItsOwnLayout()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    const PlotLayouts layouts(folder.path());
-    PlotLayout layout;
-    layout.traces = {{s("*"), s("temperature"), {}, false}};
-    QVERIFY(layouts.save(PlotLayouts::familyName(s("dmc60c")), layout));
-    bench.page->setLayoutFolder(folder.path());
-    QCOMPARE(bench.page->traceCount(), std::size_t{1});
-    QCOMPARE(bench.board().traces().front().style.name, s("#5 temperature"));
-    bench.selection.select({2});
-    QCOMPARE(bench.board().traces().front().style.name, s("#7 temperature"));
-}
-
-void TestPlotKeeping::aLayoutThatCannotBeKeptIsTold()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    QFile inTheWay(folder.filePath(s("plots")));
-    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    bench.page->setLayoutFolder(folder.filePath(s("plots/layouts")));
-    bench.page->addSignal({{2}, channel("velocity")});
-    QVERIFY(bench.workbench.lines.empty());
-    bench.page.reset(); // what is there is kept at the end of the program
-    QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
-    QVERIFY(bench.workbench.lines.front().text.contains(s("plots")));
-}
-
-void TestPlotKeeping::aLayoutIsOfferedBeforeADiskHasIt()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    QFile inTheWay(folder.filePath(s("plots")));
-    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    bench.page->setLayoutFolder(folder.filePath(s("plots/layouts"))); // that never has it
-    bench.page->addSignal({{2}, channel("velocity")});
-    const PlotLayout layout = bench.page->layoutBook().current();
-    QMenu menu;
-    bench.page->layoutBook().fillMenu(menu, *bench.page);
-    QCOMPARE(menu.actions().constLast()->text(), s("Reset"));
-    menu.actions().constFirst()->trigger();
-    auto *const dialog = bench.page->findChild<QDialog *>();
-    dialog->findChild<QLineEdit *>()->setText(s("mine"));
-    dialog->accept();
-    bench.page->removeSignal({{2}, channel("velocity")});
-    menu.clear();
-    bench.page->layoutBook().fillMenu(menu, *bench.page);
-    QCOMPARE(menu.actions().constLast()->text(), s("mine"));
-    menu.actions().constLast()->trigger();
-    QVERIFY(bench.page->layoutBook().current() == layout);
-}
-
-void TestPlotKeeping::theNextWindowBeginsWithWhatWasChangedAMomentAgo()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.page->setLayoutFolder(folder.path());
-    bench.page->addSignal({{2}, channel("velocity")});
-    const PlotLayout layout = bench.page->layoutBook().current();
-    bench.page->layoutBook().finish();
-    const auto before = std::move(bench.page); // as where somebody chooses another language
-    bench.open();
-    bench.page->setLayoutFolder(folder.path());
-    QVERIFY(bench.page->layoutBook().current() == layout);
-}
-
-void TestPlotKeeping::resetBringsTheUsualBack()
-{
-    PlotBench bench;
-    bench.page->addSignal({{2}, channel("velocity")});
-    bench.pass(1.0, 100.0);
-    bench.board().keepReferences();
-    bench.page->layoutBook().reset();
-    QCOMPARE(bench.page->traceCount(), std::size_t{4});
-    QVERIFY(bench.board().references().empty());
-    QVERIFY(!bench.board().isTouched());
-}
-
 void TestPlotKeeping::theScrubberScrollsBackWhileRecording()
 {
     PlotBench bench;
@@ -347,82 +218,6 @@ void TestPlotKeeping::aFullDiskIsToldOnceAndNothingIsCalledWritten()
     QCOMPARE(saved.last().at(1).toString(), QString());
     QVERIFY(loadRecording(saved.last().at(0).toString().toStdString()));
     bench.page->setRecorder(nullptr, {});
-}
-
-void TestPlotKeeping::aChangeStandsWhileALayoutWaitsForADevice()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.page->setLayoutFolder(folder.path());
-    bench.page->addSignal({{2}, channel("velocity")});
-    const DeviceView second = bench.workbench.shot.devices.back();
-    bench.page.reset(); // the end of the program
-    bench.workbench.shot.devices.pop_back();
-    bench.open();
-    bench.page->setLayoutFolder(folder.path());
-    QCOMPARE(bench.page->traceCount(), std::size_t{4});
-    bench.page->removeSignal({{1}, channel("duty")});
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{3});
-    bench.page->addSignal({{1}, channel("temperature")});
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{4});
-    bench.page.reset();
-    bench.open();
-    bench.page->setLayoutFolder(folder.path());
-    QCOMPARE(bench.page->traceCount(), std::size_t{4});
-    QCOMPARE(bench.trace("#5 temperature").style.unit, s("°C"));
-    bench.workbench.shot.devices.push_back(second);
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{5});
-    QCOMPARE(bench.trace("#7 velocity").style.unit, s("counts/s"));
-}
-
-void TestPlotKeeping::tracesOfALinkThatIsClosedComeBackWithIt()
-{
-    PlotBench bench;
-    const QTemporaryDir folder;
-    bench.page->setLayoutFolder(folder.path());
-    bench.page->addSignal({{2}, channel("velocity")});
-    bench.board().setSecondAxis(bench.trace("#5 current").id, true);
-    const PlotLayout layout = bench.page->layoutBook().current();
-    DeviceView first = bench.workbench.shot.devices.front();
-    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{1});
-    QVERIFY(bench.page->layoutBook().current() == layout); // which is remembered
-    first.id = {3};
-    bench.workbench.shot.devices.push_back(first);
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{5});
-    QVERIFY(bench.page->layoutBook().current() == layout);
-    QVERIFY(bench.trace("#5 current").second);
-    bench.selection.select({3});
-    bench.page->layoutBook().reset(); // and are forgotten
-    bench.workbench.publish();
-    QCOMPARE(bench.page->layoutBook().current().traces.size(), std::size_t{4});
-}
-
-void TestPlotKeeping::aDerivedSignalThatWaitsForItsDevicesRebuildsNothing()
-{
-    PlotBench bench;
-    bench.page->addSignal({{2}, channel("velocity")});
-    QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
-    const PlotLayout layout = bench.page->layoutBook().current();
-    const DeviceView second = bench.workbench.shot.devices.back();
-    bench.page.reset();
-    bench.workbench.shot.devices.pop_back();
-    bench.open();
-    bench.page->layoutBook().apply(layout);
-    QSignalSpy changed(&bench.board(), &PlotBoard::changed);
-    for (int i = 0; i < 5; ++i)
-        bench.workbench.publish();
-    QCOMPARE(changed.count(), 0);
-    QVERIFY(bench.page->layoutBook().current() == layout);
-    bench.workbench.shot.devices.push_back(second);
-    bench.workbench.publish();
-    QCOMPARE(bench.page->traceCount(), std::size_t{6});
-    QVERIFY(bench.page->layoutBook().current() == layout);
 }
 
 void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()

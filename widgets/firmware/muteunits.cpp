@@ -46,7 +46,7 @@ void addMuteUnits(QMenu &menu, Workbench &workbench, std::span<const Family *con
         const auto named = guarded(&parent, [&workbench, where, found](const Result<DeviceId> &unit) {
             if (unit)
                 found(*unit);
-            else
+            else if (unit.error().fault != Fault::Cancelled) // whoever ended the search knows
                 workbench.report(Severity::Danger, where, errorText(unit.error()));
         });
         QObject::connect(

@@ -37,7 +37,8 @@ struct CancelScan {
 };
 
 /// A unit that nothing is heard of, because an update was cut, is in the snapshot as one that waits in its bootloader; one that does
-/// answer as it is. LinkLost when the link is not open, Unsafe while it is needed for itself; Timeout as Session::connect() has it.
+/// answer as it is. LinkLost when the link is not open, Unsafe while it is needed for itself or searched for somebody; Cancelled
+/// when the search is; Timeout as Session::connect() has it.
 struct FindMute {
     using Answer = DeviceId;
     std::string link;

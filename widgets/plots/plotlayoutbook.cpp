@@ -65,28 +65,24 @@ Result<PlotLayout> PlotLayoutBook::load(const QString &name) const
     return ordered->second ? Result<PlotLayout>(*ordered->second) : PlotLayouts().load(name);
 }
 
-void PlotLayoutBook::keep(const QString &name, const PlotLayout &layout)
+void PlotLayoutBook::keep(const QString &name, const std::optional<PlotLayout> &layout)
 {
     m_ordered[name] = layout;
     m_disk.order(
-        name, [layouts = m_layouts, name, layout] { return layouts.save(name, layout); },
-        [this, isLast = name == PlotLayouts::lastName()](const Result<void> &saved) {
-            const bool told = isLast && std::exchange(m_unsaved, !saved);
-            if (!saved && !told)
-                m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
-        });
-}
-
-void PlotLayoutBook::forget(const QString &name)
-{
-    m_ordered[name].reset();
-    m_disk.order(
         name,
-        [layouts = m_layouts, name] {
+        [layouts = m_layouts, name, layout] {
+            if (layout)
+                return layouts.save(name, *layout);
             layouts.remove(name);
             return Result<void>();
         },
-        [](const Result<void> &) {});
+        [this, name, layout](const Result<void> &saved) {
+            if (const auto ordered = m_ordered.find(name); ordered != m_ordered.end() && ordered->second == layout)
+                m_ordered.erase(ordered); // else something newer waits
+            const bool told = layout && name == PlotLayouts::lastName() && std::exchange(m_unsaved, !saved);
+            if (!saved && !told)
+                m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+        });
 }
 
 void PlotLayoutBook::follow()
@@ -165,7 +161,7 @@ void PlotLayoutBook::apply(const PlotLayout &layout)
 void PlotLayoutBook::reset()
 {
     m_defaultsOf = {};
-    forget(PlotLayouts::lastName());
+    keep(PlotLayouts::lastName(), std::nullopt);
     m_stack.view().setWindow(firstWindow);
     m_stack.view().setLive(true);
     m_board.reset();
@@ -217,7 +213,7 @@ void PlotLayoutBook::addFamilyEntries(QMenu &menu)
         keep(PlotLayouts::familyName(qt(selected->family->key)), layout);
     });
     menu.addAction(tr("Begin with the usual for every %1").arg(title), this,
-        [this, family = qt(device->family->key)] { forget(PlotLayouts::familyName(family)); });
+        [this, family = qt(device->family->key)] { keep(PlotLayouts::familyName(family), std::nullopt); });
 }
 
 } // namespace mb

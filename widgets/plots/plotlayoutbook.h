@@ -45,8 +45,8 @@ Q_SIGNALS:
 
 private:
     void save();
-    void keep(const QString &name, const PlotLayout &layout);
-    void forget(const QString &name);
+    /// Nothing: it is forgotten.
+    void keep(const QString &name, const std::optional<PlotLayout> &layout);
     [[nodiscard]] Result<PlotLayout> load(const QString &name) const;
     void takeDefaults();
     void addFamilyEntries(QMenu &menu);
@@ -57,8 +57,7 @@ private:
     PlotStack &m_stack;
     PlotBoard &m_board;
     PlotLayouts m_layouts;
-    std::map<QString, std::optional<PlotLayout>>
-        m_ordered; ///< what its file is, or will be, or none; nobody waits for a disk
+    std::map<QString, std::optional<PlotLayout>> m_ordered; ///< until a disk has it: what its file will be, or none
     DeviceId m_defaultsOf;
     int m_defaultsOfAxis = 0;
     QTimer m_remember;
