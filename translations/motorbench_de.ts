@@ -18916,5 +18916,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>give --velocity, or write a lower profile.velocity</source>
         <translation>--velocity angeben oder eine kleinere profile.velocity schreiben</translation>
     </message>
+    <message>
+        <source>somebody searches here already</source>
+        <translation>hier sucht schon jemand</translation>
+    </message>
 </context>
 </TS>

@@ -18916,5 +18916,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>give --velocity, or write a lower profile.velocity</source>
         <translation>indique --velocity o escriba un profile.velocity menor</translation>
     </message>
+    <message>
+        <source>somebody searches here already</source>
+        <translation>alguien ya busca aquí</translation>
+    </message>
 </context>
 </TS>

@@ -18916,5 +18916,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>give --velocity, or write a lower profile.velocity</source>
         <translation>indiquez --velocity ou écrivez un profile.velocity plus bas</translation>
     </message>
+    <message>
+        <source>somebody searches here already</source>
+        <translation>quelqu’un cherche déjà ici</translation>
+    </message>
 </context>
 </TS>

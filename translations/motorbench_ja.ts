@@ -18899,5 +18899,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>give --velocity, or write a lower profile.velocity</source>
         <translation>--velocity を指定するか、より小さい profile.velocity を書き込んでください</translation>
     </message>
+    <message>
+        <source>somebody searches here already</source>
+        <translation>ここではすでに検索中です</translation>
+    </message>
 </context>
 </TS>

@@ -18897,7 +18897,11 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>give --velocity, or write a lower profile.velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>请指定 --velocity，或写入更小的 profile.velocity</translation>
+    </message>
+    <message>
+        <source>somebody searches here already</source>
+        <translation>这里已经在搜索</translation>
     </message>
 </context>
 </TS>

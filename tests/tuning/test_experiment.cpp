@@ -372,7 +372,7 @@ TEST(Experiment, ATargetIsJudgedByTheGainsThatItIsTriedWith)
     ASSERT_FALSE(plain) << "an error of 1 turns the output round";
     EXPECT_EQ(plain.error().fault, Fault::Unsafe);
     ExperimentPlan better = stepTo(Mode::Velocity, 4000.0);
-    better.gains = {bench.change("velocity.p", 50.0)};
+    better.gains = {bench.change("velocity.p", 1.0)};
     better.keep = Keep::Always;
     expectDone(bench.run(better));
     ExperimentPlan worse = stepTo(Mode::Velocity, 4000.0);
