@@ -372,11 +372,14 @@ TEST(Experiment, ATargetIsJudgedByTheGainsThatItIsTriedWith)
     ASSERT_FALSE(plain) << "an error of 1 turns the output round";
     EXPECT_EQ(plain.error().fault, Fault::Unsafe);
     ExperimentPlan better = stepTo(Mode::Velocity, 4000.0);
-    better.gains = {bench.change("velocity.p", 1.0)};
+    better.gains
+        = {bench.change("velocity.p", 50.0), bench.change("velocity.i", 0.0), bench.change("velocity.divisor", 100.0)};
     better.keep = Keep::Always;
-    expectDone(bench.run(better));
+    const auto tried = bench.run(better);
+    ASSERT_TRUE(tried) << tried.error().detail; // whatever its guards say of how it turns
+    EXPECT_GT(tried->samples, 0);
     ExperimentPlan worse = stepTo(Mode::Velocity, 4000.0);
-    worse.gains = {bench.change("velocity.p", 40'000.0)};
+    worse.gains = {bench.change("velocity.p", 40'000.0), bench.change("velocity.divisor", 1.0)};
     worse.keep = Keep::Always;
     const auto refused = bench.run(worse);
     ASSERT_FALSE(refused);
