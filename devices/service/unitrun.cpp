@@ -30,6 +30,11 @@ bool isPlace(const Visit &visit)
     return unitByOf(visit.unit) == UnitBy::Place;
 }
 
+bool isLost(const TestFinding &finding)
+{
+    return finding.failure && finding.failure->fault == Fault::LinkLost;
+}
+
 Message settingsText(int count)
 {
     return count == 1 ? say("1 setting") : say("%1 settings", count);
@@ -309,13 +314,15 @@ Task<Message> UnitRun::test()
     if (!m_around.permit)
         co_return fail(
             Fault::Unsafe, say("nobody watches over this self-test, and it moves the motor"), say("arm it first"));
-    TestFinding finding;
-    int tries = 0;
-    do {
-        finding = co_await testOnce();
+    TestFinding finding = co_await testOnce();
+    int tries = 1;
+    while (isLost(finding) && m_device.liveness().heard && tries < mostTests) {
+        Result<TestFinding> next = co_await testOnce().attempt();
+        if (!next && next.error().fault == Fault::OutOfRange)
+            break; // the lost one has used up the way that was announced
+        finding = co_await std::move(next);
         ++tries;
-    } while (
-        finding.failure && finding.failure->fault == Fault::LinkLost && m_device.liveness().heard && tries < mostTests);
+    }
     VisitFilter passed;
     passed.recipe = m_visit.recipe;
     passed.recipeHash = m_visit.recipeHash;
