@@ -2,6 +2,7 @@
 #include "service/unitrun.h"
 
 #include "async/sleep.h"
+#include "model/heardsince.h"
 #include "model/unit.h"
 #include "service/busydevice.h"
 #include "service/goldenband.h"
@@ -20,7 +21,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration numberAgain = 2s;
-constexpr Duration takenOff = 2s;
 constexpr Duration lookForUnit = 100ms;
 constexpr int mostTests = 3;
 
@@ -378,7 +378,7 @@ Task<void> UnitRun::standBy()
     while (m_device.clock().now() < again || (isFollowed && !m_device.liveness().heard)) {
         if (m_device.liveness().heard)
             heardAt = m_device.clock().now();
-        if (isFollowed && m_device.clock().now() - heardAt >= takenOff)
+        if (isFollowed && m_device.clock().now() - heardAt >= exchangeTime)
             co_return fail(Fault::Timeout, say("the unit was taken off while it waited for a number"),
                 say("put it on again, and do it again"));
         co_await Sleep(m_device.clock(), lookForUnit);
