@@ -66,7 +66,7 @@ QJsonValue valueToJson(const Parameter &parameter, std::optional<std::int64_t> r
     return std::get<double>(value);
 }
 
-void show(Console &console, const Device &device, const std::vector<Change> &changes)
+void show(Console &console, const Device &device, const std::vector<Change> &changes, bool leftOut)
 {
     QJsonArray rows;
     Table table({"KEY", "FROM", "TO", "RESULT"});
@@ -84,7 +84,8 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
     if (console.json())
         console.out().json({{QStringLiteral("changes"), rows}});
     else if (changes.empty())
-        console.out().line("nothing to change: " + device.selector() + " has the values already");
+        console.out().line("nothing to change: " + device.selector()
+            + (leftOut ? " has the other values already" : " has the values already"));
     else
         table.print(console.out());
 }
@@ -157,21 +158,22 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
     co_return {};
 }
 
-/// What this unit's dialect does not have: the file may be of a unit of another one.
-void leaveOut(const Device &device, ParameterFile &file)
+/// What this unit's dialect does not have: the file may be of a unit of another one. Unsupported where the dialect is not known.
+Result<void> leaveOut(const Device &device, ParameterFile &file)
 {
-    std::erase_if(file.values, [&device, &file](const ParameterChange &change) {
-        const bool offered = device.offers(change.index);
-        if (!offered)
-            file.notes.push_back(
-                say("%1 does not exist in this device's dialect", device.parameters().parameter(change.index).key));
-        return !offered;
-    });
+    const auto absent = std::ranges::stable_partition(
+        file.values, [&device](const ParameterChange &change) { return device.offers(change.index); });
+    if (!absent.empty() && device.identity().dialect.empty())
+        return fail(Fault::Unsupported, device.identity().detail);
+    for (const ParameterChange &change : absent)
+        file.notes.push_back(
+            say("%1 does not exist in this device's dialect", device.parameters().parameter(change.index).key));
+    file.values.erase(absent.begin(), absent.end());
+    return {};
 }
 
 Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, RestoreArguments arguments)
 {
-    leaveOut(device, file);
     for (const Message &note : file.notes)
         console.note(arguments.file + ": " + note.english() + ", left out");
     co_await readCurrent(console, device, toRead(device.family(), file));
@@ -213,13 +215,14 @@ Task<int> restore(Console &console, RestoreArguments arguments)
     console.begin();
     std::vector<Change> changes = file ? std::vector<Change>() : lostChanges(*device);
     if (file) {
+        co_await leaveOut(*device, *file);
         changes = co_await changesOf(console, *device, *file, arguments);
     }
     std::optional<Error> error;
     if (!arguments.dryRun && !changes.empty()) {
         error = co_await write(console, *device, notebook, changes);
     }
-    show(console, *device, changes);
+    show(console, *device, changes, file && !file->notes.empty());
     if (!error)
         co_return exitDone;
     co_return console.fails(*error);

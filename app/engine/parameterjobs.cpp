@@ -149,7 +149,7 @@ Task<void> ParameterJobs::askWhose(Device &device)
     const std::vector<settings::SettingsChange> changes = co_await m_settings->changesOf(unitKeyOf(device));
     const std::string unit = changes.empty() ? unitKeyOf(device) : changes.back().unit;
     std::unique_ptr<HeardSince> &consent = m_consents[m_context.session.idOf(device)];
-    if (unitByOf(unit) != UnitBy::Place || (consent && consent->holds()))
+    if (unitByOf(unit) != UnitBy::Place || (consent && consent->holds(device)))
         co_return {};
     consent = std::make_unique<HeardSince>(device);
     co_return fail(Fault::Unsafe, say("this place, not this unit: what is kept may be of another"),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/engine/heardsince.h"
 #include "app/engine/provisionalchanges.h"
+#include "model/heardsince.h"
 #include "settings/settingslog.h"
 #include "settings/writing.h"
 #include "widgets/orders/parameterorders.h"

@@ -47,14 +47,14 @@ ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
 }
 
 /// What was counted while the link was there is offered when it is back: people may have been at the unit meanwhile. Of a place another
-/// unit may stand there once none was heard.
+/// unit may stand there (HeardSince).
 bool ProvisionalChanges::Entry::isCutOff(Device &unit)
 {
     if (confirmation->state() == Confirmation::State::AwaitsRestart)
         return false;
     if (!heard)
         heard = std::make_unique<HeardSince>(unit);
-    return unit.link().state() != LinkState::Open || (unitByOf(change.unit) == UnitBy::Place && !heard->holds());
+    return unit.link().state() != LinkState::Open || (unitByOf(change.unit) == UnitBy::Place && !heard->holds(unit));
 }
 
 ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t change)
@@ -114,8 +114,12 @@ void ProvisionalChanges::tick()
     bool counts = false;
     for (Entry &entry : m_entries) {
         Device *device = m_context.session.find(entry.device);
-        if (device && entry.confirmation && entry.isCutOff(*device))
+        if (device && entry.confirmation && entry.isCutOff(*device)) {
             entry.confirmation.reset();
+            m_context.log.tell(Severity::Caution, entry.device,
+                say("%1 no longer goes back by itself: the unit was gone or has restarted",
+                    settings::textOf(device->family(), entry.change)));
+        }
         if (!device || !entry.confirmation)
             continue;
         counts = true;

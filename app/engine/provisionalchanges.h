@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/engine/heardsince.h"
 #include "app/engine/operations.h"
 #include "async/scope.h"
+#include "model/heardsince.h"
 #include "settings/confirmation.h"
 #include "widgets/orders/settingsorders.h"
 

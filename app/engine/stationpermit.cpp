@@ -3,6 +3,7 @@
 
 #include "async/noncopyable.h"
 #include "model/device.h"
+#include "model/heardsince.h"
 #include "model/session.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ Task<void> StationPermit::untilArmed(const Device &device, Progress &progress)
                 Fault::LinkLost, say("%1: %2", device.link().address().shortName(), device.link().loss().message()));
         if (device.liveness().heard)
             heardAt = m_clock.now();
-        if (isFollowed && m_clock.now() - heardAt >= takenOff)
+        if (isFollowed && m_clock.now() - heardAt >= exchangeTime)
             co_return fail(Fault::Timeout, say("the unit was taken off while it waited for the station to be armed"),
                 say("hold Arm, then put it on again"));
         progress.step(say("waits until the station is armed"), 0, 0);

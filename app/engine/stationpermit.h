@@ -33,8 +33,6 @@ public:
 
     /// Words and sound before a motor turns.
     static constexpr Duration announcement = std::chrono::seconds(3);
-    /// A unit that waits for arming, and is not heard so long, was taken off.
-    static constexpr Duration takenOff = std::chrono::seconds(2);
     /// Without a unit so long, nothing is armed any more.
     static constexpr Duration armedTime = std::chrono::minutes(5);
 

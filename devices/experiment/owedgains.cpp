@@ -122,10 +122,11 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
 
 Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
-    co_await standsStill(device);
-    (void)co_await confirmStop(device);
-    if (const bool rests = co_await untilAtRest(device);
-        !rests || !device.isSeenStopped()) // another may drive a motor that is blocked
+    co_await hasNoOtherMaster(device);
+    bool stands = co_await untilAtRest(device); // what somebody else turns is his to stop
+    if (stands)
+        stands = co_await confirmStop(device);
+    if (!stands)
         co_return fail(
             Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     co_await writeGains(device, changesOf(device.family(), owed.values));

@@ -22,8 +22,9 @@ namespace mb::tuning {
 /// What a trial has changed is as before again: settled, or, where the unit stores later, owed from now on until that is proved.
 [[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t trial);
 
-/// Puts back what a trial owes, as above. Fails, and owes on, when the motor turns or another master drives it, where no stop is sent, when
-/// it is not seen to stand (Unsafe), when a value reads back different (BadCheck), or with the link.
+/// Puts back what a trial owes, as above; first waits at most 5 s for the motor to come to rest. Fails, and owes on, when another master
+/// drives it or it turns on, where no stop is sent, when it is not seen to stand (Unsafe), when a value reads back different (BadCheck), or
+/// with the link.
 [[nodiscard]] Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed);
 
 /// "slot0.p=1.165 slot0.i=0.00346", as `set` takes it.

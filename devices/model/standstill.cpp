@@ -8,7 +8,7 @@ namespace {
 constexpr Duration masterListen = std::chrono::milliseconds(150); // another master sends at least this often
 } // namespace
 
-Task<void> standsStill(Device &device)
+Task<void> hasNoOtherMaster(Device &device)
 {
     if (device.identity().state == DeviceState::Bootloader)
         co_return {};
@@ -16,7 +16,13 @@ Task<void> standsStill(Device &device)
     if (device.liveness().foreignMaster)
         co_return fail(
             Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));
-    if (device.liveness().moving)
+    co_return {};
+}
+
+Task<void> standsStill(Device &device)
+{
+    co_await hasNoOtherMaster(device);
+    if (device.identity().state != DeviceState::Bootloader && device.liveness().moving)
         co_return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));
     co_return {};
 }

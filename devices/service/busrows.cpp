@@ -2,6 +2,7 @@
 #include "service/busrows.h"
 
 #include "model/family.h"
+#include "model/heardsince.h"
 #include "model/unit.h"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 
 namespace mb::service {
 namespace {
-
-using namespace std::chrono_literals;
-
-constexpr Duration goneAfter = 2s;
 
 /// Where the unit of a visit was.
 std::string linkOf(const Visit &visit)
@@ -120,7 +117,7 @@ void BusRows::served(Row &row)
 bool BusRows::isGone(const Row &row, const std::optional<Instant> &since) const
 {
     return since && !m_wanted.once && !row.missing && row.shown->state != RowState::Running
-        && now() - *since >= goneAfter;
+        && now() - *since >= exchangeTime;
 }
 
 /// By the number that was given here first, however long it was gone; else by its name, while it was not gone. One that another

@@ -117,19 +117,13 @@ Task<TestFinding> runSelfTest(
             co_return finding;
         }
     }
-    Result<Trial> trial = co_await step(device, stream, test, surroundings).attempt();
-    if (!trial && !identifies)
-        co_return fail(trial.error());
-    if (!trial) {
-        finding.failure = trial.error();
+    const Trial trial = co_await step(device, stream, test, surroundings);
+    finding.trial = trial.number;
+    if (!trial.mayGoOn()) {
+        endBy(finding, trial);
         co_return finding;
     }
-    finding.trial = trial->number;
-    if (!trial->mayGoOn()) {
-        endBy(finding, *trial);
-        co_return finding;
-    }
-    evaluate(finding, test, *trial, figures);
+    evaluate(finding, test, trial, figures);
     co_return finding;
 }
 

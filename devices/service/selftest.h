@@ -16,8 +16,8 @@ struct TestFinding {
 };
 
 /// The step of the recipe, and before it pushes of duty where a limit asks for a figure of the motor. The motor stands
-/// afterwards, or the failure says that nobody has seen it stand. The stream's lease is the caller's to renew. Fails where nothing
-/// has moved.
+/// afterwards, or the failure says that nobody has seen it stand. The stream's lease is the caller's to renew. Fails where the
+/// step could not begin; OutOfRange where that would leave its limits.
 [[nodiscard]] Task<TestFinding> runSelfTest(
     Device &device, SetPointStream &stream, SelfTest test, tuning::ExperimentSurroundings surroundings);
 

@@ -2,6 +2,7 @@
 #include "service/unitrun.h"
 
 #include "async/sleep.h"
+#include "model/heardsince.h"
 #include "model/unit.h"
 #include "service/busydevice.h"
 #include "service/goldenband.h"
@@ -20,7 +21,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration numberAgain = 2s;
-constexpr Duration takenOff = 2s;
 constexpr Duration lookForUnit = 100ms;
 constexpr int mostTests = 3;
 
@@ -28,6 +28,11 @@ constexpr int mostTests = 3;
 bool isPlace(const Visit &visit)
 {
     return unitByOf(visit.unit) == UnitBy::Place;
+}
+
+bool isLost(const TestFinding &finding)
+{
+    return finding.failure && finding.failure->fault == Fault::LinkLost;
 }
 
 Message settingsText(int count)
@@ -309,13 +314,15 @@ Task<Message> UnitRun::test()
     if (!m_around.permit)
         co_return fail(
             Fault::Unsafe, say("nobody watches over this self-test, and it moves the motor"), say("arm it first"));
-    TestFinding finding;
-    int tries = 0;
-    do {
-        finding = co_await testOnce();
+    TestFinding finding = co_await testOnce();
+    int tries = 1;
+    while (isLost(finding) && m_device.liveness().heard && tries < mostTests) {
+        Result<TestFinding> next = co_await testOnce().attempt();
+        if (!next && next.error().fault == Fault::OutOfRange)
+            break; // the lost one has used up the way that was announced
+        finding = co_await std::move(next);
         ++tries;
-    } while (
-        finding.failure && finding.failure->fault == Fault::LinkLost && m_device.liveness().heard && tries < mostTests);
+    }
     VisitFilter passed;
     passed.recipe = m_visit.recipe;
     passed.recipeHash = m_visit.recipeHash;
@@ -371,7 +378,7 @@ Task<void> UnitRun::standBy()
     while (m_device.clock().now() < again || (isFollowed && !m_device.liveness().heard)) {
         if (m_device.liveness().heard)
             heardAt = m_device.clock().now();
-        if (isFollowed && m_device.clock().now() - heardAt >= takenOff)
+        if (isFollowed && m_device.clock().now() - heardAt >= exchangeTime)
             co_return fail(Fault::Timeout, say("the unit was taken off while it waited for a number"),
                 say("put it on again, and do it again"));
         co_await Sleep(m_device.clock(), lookForUnit);

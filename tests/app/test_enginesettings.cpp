@@ -144,6 +144,7 @@ TEST_F(SettingsCore, WhatIsKeptOfAPlaceIsTakenBackOnceItsUserHasSaidThatTheUnitI
     };
     power(false);
     ASSERT_TRUE(clock.runUntil([&] { return !drive.liveness().heard; }, 10s));
+    clock.advance(2s);
     power(true);
     ASSERT_TRUE(clock.runUntil([&] { return drive.liveness().heard; }, 10s));
     EXPECT_FALSE(undo()) << "another may stand there now";

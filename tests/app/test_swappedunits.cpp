@@ -215,19 +215,41 @@ protected:
         : SwappedUnits("supermodified", "sim:serial", {"supermodified:4,dialect=D1", "supermodified:4,dialect=D1"}, "")
     {
     }
+    [[nodiscard]] UnconfirmedView::State state() { return core->snapshot().unconfirmed.front().state; }
+    /// What somebody has to keep.
+    void widen()
+    {
+        ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 1500.0)}}));
+        ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 3000.0)}}));
+        clock.advance(1s);
+        ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
+        EXPECT_EQ(state(), UnconfirmedView::State::Counting);
+    }
 };
+
+TEST_F(SwappedPlaces, AChangeGoesBackThoughTheLineWasSilentForAMoment)
+{
+    widen();
+    Bench &bench = *core->session().bench(*core->session().links().front());
+    bench.setLoss(1.0);
+    clock.advance(500ms);
+    EXPECT_FALSE(device()->liveness().heard);
+    bench.setLoss(0.0);
+    clock.advance(1s);
+    ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(state(), UnconfirmedView::State::Counting);
+    clock.advance(40s);
+    EXPECT_TRUE(core->snapshot().unconfirmed.empty());
+    EXPECT_EQ(read("limit.current"), 1500);
+}
 
 TEST_F(SwappedPlaces, AChangeThatIsToGoBackIsOfferedWhereAnotherUnitMayStandByNow)
 {
-    ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 1500.0)}}));
-    ASSERT_TRUE(ordered(orders::WriteParameters{id(), {change("limit.current", 3000.0)}}));
-    clock.advance(1s);
-    ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
-    EXPECT_EQ(core->snapshot().unconfirmed.front().state, UnconfirmedView::State::Counting);
+    widen();
     swap(0, 1, 5s);
     clock.advance(40s);
     ASSERT_EQ(core->snapshot().unconfirmed.size(), 1U);
-    EXPECT_EQ(core->snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
+    EXPECT_EQ(state(), UnconfirmedView::State::Offered);
     EXPECT_EQ(read("limit.current"), 5000) << "as it came";
 }
 

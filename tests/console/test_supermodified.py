@@ -287,6 +287,18 @@ class SupermodifiedTest(ContractTest):
         self.assertNotIn("error.reaction", run.out)
         self.assertIn("error.reaction does not exist in this device's dialect, left out", run.err)
 
+    def test_nothing_is_restored_to_one_whose_dialect_is_not_known(self):
+        nodes = Nodes(self, "supermodified:6,level=1")
+        node = f"serial:{nodes.path}?baud=57600/supermodified:6"
+        with tempfile.TemporaryDirectory() as folder:
+            saved = os.path.join(folder, "d1.json")
+            self.run_text("get", "sim:serial/supermodified:4", "--file", saved)
+            for more in ([], ["--dry-run"]):
+                run = Run(["restore", node, saved, *more])
+                self.assertNotEqual(run.status, 0, run.out)
+                self.assertIn("error level is 1", run.err)
+                self.assertNotIn("nothing to change", run.out)
+
     def test_the_error_reaction_of_d3_is_not_the_error_level_of_d1(self):
         reactions = "02" + "00" * 19
         text = f"(1.0) tty0 tx 55AA04771C0101{0x1C:02X}\n(1.1) tty0 tx 55AA04771C14{reactions}0A\n(1.2) tty0 rx 55AA77047314{reactions}65\n"

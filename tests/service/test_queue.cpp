@@ -82,12 +82,16 @@ TEST_F(ServiceQueues, AUnitThatIsSwappedDuringItsUpdateIsNeitherSetUpNorTested)
 class LossyTests : public ServiceQueues {
 protected:
     /// The visit of one unit whose first tests lose samples.
-    Visit serve(int lossyTests)
+    Visit serve(int lossyTests, Duration after = {}, const QByteArray &recipe = shortText)
     {
         UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
-        QueueRun run(rack, *books, load(rack, shortText));
+        QueueRun run(rack, *books, load(rack, recipe));
         Bench &bench = *rack.session->bench(*rack.link);
-        run.permit.asked = [&] { bench.setLoss(run.permit.count <= lossyTests ? 0.2 : 0.0); };
+        Timer losing(rack.clock);
+        run.permit.asked = [&] {
+            bench.setLoss(0.0);
+            losing.startIn(after, [&] { bench.setLoss(run.permit.count <= lossyTests ? 0.2 : 0.0); });
+        };
         EXPECT_TRUE(run.run());
         asked = run.permit.count;
         const auto visits = books->visits();
@@ -113,6 +117,14 @@ TEST_F(LossyTests, FailTheUnitWhenEveryOneOfThreeLosesSamples)
     EXPECT_EQ(visit.outcome, Outcome::Failed);
     EXPECT_EQ(visit.step, Step::Test);
     EXPECT_EQ(asked, 3);
+    EXPECT_EQ(visit.cause.english().find("the unit was not heard during the self-test"), 0U) << visit.cause.english();
+}
+
+TEST_F(LossyTests, AreWhatAUnitFailsByThatHasNoWayLeftForAnother)
+{
+    const Visit visit = serve(1, 1s, QByteArray(shortText).replace("400000", "7400"));
+    EXPECT_EQ(visit.outcome, Outcome::Failed);
+    EXPECT_EQ(asked, 2);
     EXPECT_EQ(visit.cause.english().find("the unit was not heard during the self-test"), 0U) << visit.cause.english();
 }
 

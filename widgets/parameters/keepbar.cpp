@@ -26,7 +26,7 @@ constexpr int leastWords = 360;
 QString stateText(const UnconfirmedView &view)
 {
     switch (view.state) {
-    case State::Offered: return KeepBar::tr("left over from before: nothing goes back by itself");
+    case State::Offered: return KeepBar::tr("nothing goes back by itself");
     case State::AwaitsRestart: return KeepBar::tr("30 s from when the unit has restarted with them");
     case State::Counting: return KeepBar::tr("they go back in %1 s").arg(static_cast<int>(std::ceil(view.left)));
     case State::AwaitsStandstill: return KeepBar::tr("they go back as soon as the motor stands");
