@@ -4747,10 +4747,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::KeepBar</name>
     <message>
-        <source>left over from before: nothing goes back by itself</source>
-        <translation>von früher übrig: nichts geht von selbst zurück</translation>
-    </message>
-    <message>
         <source>30 s from when the unit has restarted with them</source>
         <translation>30 s, sobald das Gerät damit neu gestartet ist</translation>
     </message>
@@ -4784,6 +4780,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Keep these values of %1?</source>
         <translation>Diese Werte von %1 behalten?</translation>
+    </message>
+    <message>
+        <source>nothing goes back by itself</source>
+        <translation>nichts geht von selbst zurück</translation>
     </message>
 </context>
 <context>
@@ -18919,6 +18919,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>somebody searches here already</source>
         <translation>hier sucht schon jemand</translation>
+    </message>
+    <message>
+        <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
+        <translation>%1 geht nicht mehr von selbst zurück: Das Gerät war weg oder ist neu gestartet</translation>
     </message>
 </context>
 </TS>

@@ -4747,10 +4747,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
 <context>
     <name>mb::KeepBar</name>
     <message>
-        <source>left over from before: nothing goes back by itself</source>
-        <translation>quedó de antes: nada se restituye solo</translation>
-    </message>
-    <message>
         <source>30 s from when the unit has restarted with them</source>
         <translation>30 s desde que el equipo se reinicie con ellos</translation>
     </message>
@@ -4784,6 +4780,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Keep these values of %1?</source>
         <translation>¿Conservar estos valores de %1?</translation>
+    </message>
+    <message>
+        <source>nothing goes back by itself</source>
+        <translation>nada se restituye solo</translation>
     </message>
 </context>
 <context>
@@ -18919,6 +18919,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>somebody searches here already</source>
         <translation>alguien ya busca aquí</translation>
+    </message>
+    <message>
+        <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
+        <translation>%1 ya no se restituye solo: la unidad no estaba o se ha reiniciado</translation>
     </message>
 </context>
 </TS>

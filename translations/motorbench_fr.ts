@@ -4747,10 +4747,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
 <context>
     <name>mb::KeepBar</name>
     <message>
-        <source>left over from before: nothing goes back by itself</source>
-        <translation>reste d’avant&#xa0;: rien n’est rétabli automatiquement</translation>
-    </message>
-    <message>
         <source>30 s from when the unit has restarted with them</source>
         <translation>30 s à partir du redémarrage de l’appareil avec elles</translation>
     </message>
@@ -4784,6 +4780,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Keep these values of %1?</source>
         <translation>Conserver ces valeurs de %1&#xa0;?</translation>
+    </message>
+    <message>
+        <source>nothing goes back by itself</source>
+        <translation>rien n’est rétabli automatiquement</translation>
     </message>
 </context>
 <context>
@@ -18919,6 +18919,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>somebody searches here already</source>
         <translation>quelqu’un cherche déjà ici</translation>
+    </message>
+    <message>
+        <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
+        <translation>%1 n’est plus rétabli automatiquement : l’unité avait disparu ou a redémarré</translation>
     </message>
 </context>
 </TS>

@@ -4740,10 +4740,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::KeepBar</name>
     <message>
-        <source>left over from before: nothing goes back by itself</source>
-        <translation>以前の未処理分: 自動では戻りません</translation>
-    </message>
-    <message>
         <source>30 s from when the unit has restarted with them</source>
         <translation>新しい値で機器が再起動してから 30 s</translation>
     </message>
@@ -4776,6 +4772,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Keep these values of %1?</source>
         <translation>%1 のこの値を維持しますか?</translation>
+    </message>
+    <message>
+        <source>nothing goes back by itself</source>
+        <translation>自動では戻りません</translation>
     </message>
 </context>
 <context>
@@ -18902,6 +18902,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>somebody searches here already</source>
         <translation>ここではすでに検索中です</translation>
+    </message>
+    <message>
+        <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
+        <translation>%1 は自動では戻らなくなりました: ユニットが応答しなくなったか、再起動しました</translation>
     </message>
 </context>
 </TS>

@@ -4740,10 +4740,6 @@ Double click or Enter plots it; drag it to a plot.</source>
 <context>
     <name>mb::KeepBar</name>
     <message>
-        <source>left over from before: nothing goes back by itself</source>
-        <translation>先前遗留：不会自动恢复</translation>
-    </message>
-    <message>
         <source>30 s from when the unit has restarted with them</source>
         <translation>自设备以这些值重新启动起 30 s</translation>
     </message>
@@ -4776,6 +4772,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Keep these values of %1?</source>
         <translation>保留 %1 的这些值吗?</translation>
+    </message>
+    <message>
+        <source>nothing goes back by itself</source>
+        <translation>不会自动恢复</translation>
     </message>
 </context>
 <context>
@@ -18902,6 +18902,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>somebody searches here already</source>
         <translation>这里已经在搜索</translation>
+    </message>
+    <message>
+        <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
+        <translation>%1 不再自动恢复：该单元曾无应答或已重新启动</translation>
     </message>
 </context>
 </TS>
