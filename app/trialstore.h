@@ -251,9 +251,9 @@ public:
     {
         return ask(&SettingsBook::changesOf, std::move(unit));
     }
-    Task<void> moves(std::string from, std::string to) override
+    Task<void> moved(std::string from, std::string to) override
     {
-        return ask(&SettingsBook::moves, std::move(from), std::move(to));
+        return ask(&SettingsBook::moved, std::move(from), std::move(to));
     }
 };
 

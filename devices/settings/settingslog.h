@@ -105,10 +105,9 @@ public:
     [[nodiscard]] virtual Task<void> complete(std::int64_t number, std::vector<ValueChange> values) = 0;
     /// All changes of a unit, oldest first.
     [[nodiscard]] virtual Task<std::vector<SettingsChange>> changesOf(std::string unit) = 0;
-    /// A unit that is known by its place is given another: once it is met there, which is when anything here names that place, its
-    /// tag and what is owed to it go with it, and who had that place before has it no more. Until then it is where it was, and
-    /// it stays there when it is given that again.
-    [[nodiscard]] virtual Task<void> moves(std::string from, std::string to) = 0;
+    /// A unit that is known by its place was given another: its tag and what is owed to it go with it, and who had that place before
+    /// has it no more.
+    [[nodiscard]] virtual Task<void> moved(std::string from, std::string to) = 0;
 };
 
 } // namespace mb::settings

@@ -116,13 +116,13 @@ Task<void> completeKept(
 }
 
 /// A unit that its place tells has another number, or will have after its restart.
-Task<void> keepNumber(SettingsLog *log, std::string unit, std::int64_t number, Progress &progress)
+Task<void> keepMoved(SettingsLog *log, std::string unit, std::int64_t number, Progress &progress)
 {
     if (!log || unitByOf(unit) != UnitBy::Place)
         co_return {};
     const std::string place = renumberedPlaceKey(unit, static_cast<int>(number));
-    if (const auto kept = co_await log->moves(std::move(unit), place).attempt(); !kept)
-        notKept(progress, kept.error());
+    if (const auto moved = co_await log->moved(std::move(unit), place).attempt(); !moved)
+        notKept(progress, moved.error());
     co_return {};
 }
 
@@ -180,7 +180,7 @@ Task<std::vector<TransferOutcome>> writeKept(
     co_await completeKept(log, number, judged(device, change.values, outcomes), progress);
     for (const TransferOutcome &outcome : outcomes) {
         if (outcome.raw && device.parameters().parameter(outcome.index).role == Role::Number)
-            co_await keepNumber(log, change.unit, *outcome.raw, progress);
+            co_await keepMoved(log, change.unit, *outcome.raw, progress);
     }
     co_return outcomes;
 }
@@ -250,7 +250,7 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     co_await completeKept(log, kept, std::move(change.values), progress);
     if (!renumbered)
         co_return fail(renumbered.error());
-    co_await keepNumber(log, change.unit, number, progress);
+    co_await keepMoved(log, change.unit, number, progress);
     co_return {};
 }
 

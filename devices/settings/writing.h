@@ -14,7 +14,7 @@ struct Order {
 
 /// writeParameters() that is in the history: what is there is read first where it can be, the change is on the disk before the
 /// first value is written, and what came of each value after the last. A disk that fails costs the entry, never the write; the
-/// progress says so. `log` may be nullptr: nothing is kept then. SettingsLog::moves() where it gives the unit another number.
+/// progress says so. `log` may be nullptr: nothing is kept then. The tag of a unit that gets another number goes with it.
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress);
 
@@ -30,7 +30,7 @@ using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
 /// mb::rewriteSettings() that is in the history; yields how many values were written again.
 [[nodiscard]] Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress);
 
-/// Device::renumber() that is in the history, of the unit as it was called before; SettingsLog::moves(). Not undone by undo():
+/// Device::renumber() that is in the history, of the unit as it was called before; its tag goes with it. Not undone by undo():
 /// others may have its old number by now.
 [[nodiscard]] Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress);
 

@@ -220,15 +220,8 @@ INSERT INTO change (time, unit, device, person, origin, purpose, of)
     SELECT time, unit, device, person, origin, 'keep', id FROM change WHERE purpose IN ('undo', 'redo');
 )";
 
-/// Where units that have no serial number are to be after their next restart. `place` is that of now.
-constexpr const char *eleventhSchema = R"(
-CREATE TABLE moving (
-    place TEXT PRIMARY KEY,
-    target TEXT NOT NULL UNIQUE) WITHOUT ROWID;
-)";
-
 constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema, sixthSchema,
-    seventhSchema, eighthSchema, ninthSchema, tenthSchema, eleventhSchema};
+    seventhSchema, eighthSchema, ninthSchema, tenthSchema};
 constexpr std::array journalVersions{fifthSchema, sixthSchema, ninthSchema};
 
 } // namespace

@@ -93,28 +93,46 @@ Result<void> SettingsBook::setTag(const std::string &place, const std::string &t
 {
     if (unitByOf(place) != UnitBy::Place)
         return fail(Fault::OutOfRange, say("a unit that has a serial number needs no tag"));
-    meetAt(m_database, place);
     return m_database.transact([&]() -> Result<void> {
         const std::string before = resolved(place);
         auto changed = tag.empty() ? m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)})
                                    : m_database.run("INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)",
                                        {qt(place), qt(tag), now()});
-        return changed ? moveDebts(m_database, before, resolved(place)) : changed;
+        return changed ? moveDebts(before, resolved(place)) : changed;
     });
 }
 
-Task<void> SettingsBook::moves(std::string from, std::string to)
+/// What is owed to a unit goes with it to its new name; not to one that is known elsewhere, nor from one that still is.
+Result<void> SettingsBook::moveDebts(const std::string &before, const std::string &after)
 {
+    int ofBefore = 0;
+    int ofAfter = 0;
+    auto counted = m_database.run(
+        "SELECT place, name FROM tag", {}, [&ofBefore, &ofAfter, &before, &after](const QSqlQuery &row) {
+            const std::string key = taggedUnitKey(textAt(row, 0), textAt(row, 1));
+            ofBefore += key == before ? 1 : 0;
+            ofAfter += key == after ? 1 : 0;
+        });
+    const bool isOnly = ofBefore == 0 && ofAfter == (unitByOf(after) == UnitBy::Tag ? 1 : 0);
+    if (!counted || before == after || !isOnly)
+        return counted;
+    return m_database.run("UPDATE OR IGNORE owed SET unit = ? WHERE unit = ?", {qt(after), qt(before)});
+}
+
+Task<void> SettingsBook::moved(std::string from, std::string to)
+{
+    if (from == to)
+        co_return {};
     co_return m_database.transact([&]() -> Result<void> {
-        MB_TRY_VOID(m_database.run("DELETE FROM moving WHERE place = ? OR target = ?", {qt(from), qt(to)}));
-        return from == to ? Result<void>()
-                          : m_database.run("INSERT INTO moving (place, target) VALUES (?, ?)", {qt(from), qt(to)});
+        const std::string before = resolved(from);
+        MB_TRY_VOID(m_database.run("DELETE FROM tag WHERE place = ?", {qt(to)}));
+        MB_TRY_VOID(m_database.run("UPDATE tag SET place = ? WHERE place = ?", {qt(to), qt(from)}));
+        return moveDebts(before, resolved(to));
     });
 }
 
 Task<ParameterSnapshot> SettingsBook::keep(ParameterSnapshot snapshot)
 {
-    meetAt(m_database, snapshot.unit);
     snapshot.time = now();
     snapshot.unit = resolved(snapshot.unit);
     const auto added = m_database.run(
@@ -131,7 +149,6 @@ Task<ParameterSnapshot> SettingsBook::keep(ParameterSnapshot snapshot)
 
 Task<std::int64_t> SettingsBook::begin(SettingsChange change)
 {
-    meetAt(m_database, change.unit);
     std::int64_t number = 0;
     const auto added = m_database.transact([&]() -> Result<void> {
         MB_TRY_VOID(m_database.run(
@@ -168,7 +185,6 @@ Result<void> SettingsBook::addValues(std::int64_t number, const std::vector<Valu
 
 Task<std::vector<SettingsChange>> SettingsBook::changesOf(std::string unit)
 {
-    meetAt(m_database, unit);
     co_return changes(unit);
 }
 

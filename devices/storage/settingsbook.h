@@ -18,7 +18,7 @@ public:
     [[nodiscard]] Task<std::int64_t> begin(settings::SettingsChange change) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override;
     [[nodiscard]] Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override;
-    [[nodiscard]] Task<void> moves(std::string from, std::string to) override;
+    [[nodiscard]] Task<void> moved(std::string from, std::string to) override;
 
     /// The unit that stands at a place by now: what is kept under a place is kept under the tag of its unit, where it has one. Every
     /// function here that takes a unit does that by itself.
@@ -36,6 +36,7 @@ public:
     [[nodiscard]] Result<std::vector<settings::SettingsChange>> changes(const std::string &unit);
 
 private:
+    [[nodiscard]] Result<void> moveDebts(const std::string &before, const std::string &after);
     [[nodiscard]] double now() const;
     [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> read(
         const std::string &columns, const std::string &rest, const QVariantList &values);

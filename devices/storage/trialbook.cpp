@@ -338,7 +338,6 @@ void markKept(std::vector<tuning::OwedGains> &owed, const std::vector<KeptTuning
 Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
     std::vector<tuning::OwedGains> owed;
-    meetAt(m_database, unit);
     unit = resolvedUnit(m_database, unit);
     const auto done
         = m_database.run("SELECT owed.trial, key, raw, owed.time, tried, put_back, program FROM owed "

@@ -273,22 +273,6 @@ TEST_F(SerialConfirmations, WhatActsAfterARestartCountsFromThen)
     EXPECT_EQ(confirmation.left(bench.clock.now()), 30s);
 }
 
-TEST_F(SerialConfirmations, AUnitThatIsToldAnotherNumberStillPutsItsLimitBack)
-{
-    Device &four = *bench.device(4, "supermodified");
-    ASSERT_TRUE(book->setTag(unitKeyOf(four), "arm"));
-    const auto old = reads(four, "limit.current");
-    ASSERT_TRUE(old);
-    const SettingsChange wider = provisional(four, {change(four, "limit.current", *old + 100)});
-    ASSERT_TRUE(write(four, {change(four, "node.id", 10)}));
-    const auto waiting = run(settings::findUnconfirmed(four, *book));
-    ASSERT_TRUE(waiting);
-    ASSERT_EQ(waiting->size(), 1U);
-    bench.clock.advance(1s);
-    ASSERT_TRUE(run(settings::putBack(four, wider.number, *book, progress)));
-    EXPECT_EQ(reads(four, "limit.current"), old);
-}
-
 TEST_F(SerialConfirmations, WhatActsAfterARestartGoesBackThirtySecondsAfterIt)
 {
     Device &four = *bench.device(4, "supermodified");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/unit.h"
 #include "settings/comparison.h"
-#include "settings/confirmation.h"
 #include "settingsbench.h"
 #include "storage/unittags.h"
 
@@ -131,27 +130,22 @@ protected:
     }
 };
 
-TEST_F(NodeSnapshots, ATagGoesWithItsUnitOnceThatIsMetAtItsNewNumber)
+TEST_F(NodeSnapshots, ATagGoesWithItsUnitToItsNewNumber)
 {
     Device &node = *bench.device(4, "supermodified");
     const std::string place = unitKeyOf(node);
     const auto keyAt = [&place](int number) { return renumberedPlaceKey(place, number); };
+    ASSERT_TRUE(book->setTag(keyAt(10), "one that is not there any more"));
     for (const bool isParameter : {false, true}) {
         SCOPED_TRACE(isParameter);
-        ASSERT_TRUE(book->setTag(keyAt(10), "one that is not there any more"));
         ASSERT_TRUE(book->setTag(place, isParameter ? "arm" : "leg"));
-        const std::string unit = book->resolved(place);
         const auto good = snapshot(node, "good");
         ASSERT_TRUE(good);
         if (isParameter)
             ASSERT_TRUE(write(node, {change(node, "node.id", 10)}));
         else
             ASSERT_TRUE(run(settings::renumberKept(node, 10, settings::Origin::Window, book.get(), progress)));
-        EXPECT_EQ(book->resolved(place), unit) << "until its restart it answers there";
-        EXPECT_NE(book->resolved(keyAt(10)), unit);
-        ASSERT_TRUE(run(book->changesOf(keyAt(10)))); // after its restart
         EXPECT_EQ(book->resolved(place), place) << "whoever stands there next is another";
-        EXPECT_EQ(book->resolved(keyAt(10)), unit);
         EXPECT_FALSE(book->find("good", place));
         const auto found = book->find("good", keyAt(10));
         ASSERT_TRUE(found) << found.error().text();
@@ -159,36 +153,6 @@ TEST_F(NodeSnapshots, ATagGoesWithItsUnitOnceThatIsMetAtItsNewNumber)
     }
     ASSERT_TRUE(write(node, {change(node, "node.id", 5)}));
     EXPECT_EQ(book->resolved(keyAt(5)), keyAt(5)) << "another node has it, so this one does not get it";
-}
-
-TEST_F(NodeSnapshots, ANumberThatIsTakenBackBeforeTheRestartMovesNothing)
-{
-    Device &node = *bench.device(4, "supermodified");
-    const std::string place = unitKeyOf(node);
-    const std::string there = renumberedPlaceKey(place, 10);
-    ASSERT_TRUE(book->setTag(place, "arm"));
-    ASSERT_TRUE(book->setTag(there, "leg")); // has no power
-    const std::string arm = book->resolved(place);
-    const std::string leg = book->resolved(there);
-    for (const bool isUndone : {true, false}) {
-        SCOPED_TRACE(isUndone);
-        ASSERT_TRUE(run(settings::writeKept(node, {change(node, "node.id", 10)},
-            {settings::Origin::Window, settings::Purpose::Provisional}, book.get(), progress)));
-        ASSERT_TRUE(snapshot(node, "between"));
-        const auto waiting = run(settings::findUnconfirmed(node, *book));
-        ASSERT_TRUE(waiting);
-        EXPECT_EQ(waiting->size(), 1U) << "it waits for its restart, and can be put back";
-        if (isUndone) {
-            const auto undone = run(settings::undo(node, settings::Origin::Window, *book, progress));
-            EXPECT_TRUE(undone) << undone.error().text();
-        } else {
-            ASSERT_TRUE(run(settings::renumberKept(node, 4, settings::Origin::Window, book.get(), progress)));
-        }
-        ASSERT_TRUE(run(book->changesOf(there))); // has power again
-        EXPECT_EQ(book->resolved(place), arm);
-        EXPECT_EQ(book->resolved(there), leg);
-        EXPECT_TRUE(book->find("between", place));
-    }
 }
 
 TEST_F(Snapshots, AUnitThatFallsSilentLeavesNone)
