@@ -64,7 +64,6 @@ enum class Nature : std::uint8_t {
 /// asked about, what gains mean and are made of. Nobody knows one by its key.
 enum class Role : std::uint8_t {
     None,
-    Number,       ///< of the device on its link: with another one it is at another place (unitKeyOf())
     Proportional, ///< P, I, D, F: gains of a loop (TrialTraits::loops)
     Integral,
     Derivative,

@@ -115,17 +115,6 @@ Task<void> completeKept(
     co_return {};
 }
 
-/// A unit that its place tells has another number, or will have after its restart.
-Task<void> keepMoved(SettingsLog *log, std::string unit, std::int64_t number, Progress &progress)
-{
-    if (!log || unitByOf(unit) != UnitBy::Place)
-        co_return {};
-    const std::string place = renumberedPlaceKey(unit, static_cast<int>(number));
-    if (const auto moved = co_await log->moved(std::move(unit), place).attempt(); !moved)
-        notKept(progress, moved.error());
-    co_return {};
-}
-
 std::vector<ParameterChange> writesOf(const Family &family, const std::vector<ValueChange> &values,
     std::optional<std::int64_t> (*raw)(const ValueChange &))
 {
@@ -178,10 +167,6 @@ Task<std::vector<TransferOutcome>> writeKept(
     const std::optional<std::int64_t> number = co_await beginKept(log, change, progress);
     std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);
     co_await completeKept(log, number, judged(device, change.values, outcomes), progress);
-    for (const TransferOutcome &outcome : outcomes) {
-        if (outcome.raw && device.parameters().parameter(outcome.index).role == Role::Number)
-            co_await keepMoved(log, change.unit, *outcome.raw, progress);
-    }
     co_return outcomes;
 }
 
@@ -240,6 +225,7 @@ Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress 
 Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress)
 {
     SettingsChange change = changeOf(device, {origin});
+    const std::string unit = change.unit;
     change.values.push_back({std::string(numberKey), device.identity().address, number, Proof::Open});
     const std::optional<std::int64_t> kept = co_await beginKept(log, change, progress);
     const Result<void> renumbered = co_await device.renumber(number).attempt();
@@ -250,7 +236,10 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     co_await completeKept(log, kept, std::move(change.values), progress);
     if (!renumbered)
         co_return fail(renumbered.error());
-    co_await keepMoved(log, change.unit, number, progress);
+    if (log && unitByOf(unit) == UnitBy::Place) {
+        if (const auto moved = co_await log->moved(unit, renumberedPlaceKey(unit, number)).attempt(); !moved)
+            notKept(progress, moved.error());
+    }
     co_return {};
 }
 
