@@ -440,10 +440,8 @@ TEST_F(SupermodifiedJudgement, AMoveThatMayPassItsTargetNeedsAProfileThatIsKnown
         known.profileAcceleration = 800;
         EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), std::nullopt);
         known.profileVelocity = 46341;
-        const auto refused = MoveBounds(node, known).checkProfile(ramp(1.0, 0.0, 0.0));
-        ASSERT_FALSE(refused) << "its square does not fit";
-        EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
-        EXPECT_EQ(refused.error().remedy.english(), "give --velocity, or write a lower profile.velocity");
+        const auto square = MoveBounds(node, known).checkProfile(ramp(1.0, 0.0, 0.0));
+        EXPECT_EQ(square ? "" : square.error().remedy.english(), "give --velocity, or write a lower profile.velocity");
     }
     EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), std::nullopt);
 }
