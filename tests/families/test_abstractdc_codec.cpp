@@ -222,6 +222,16 @@ TEST(AbstractDcCodec, AnErrorFrameOrARemoteFrameIsNoOrder)
     }
 }
 
+TEST(AbstractDcDecode, AnErrorFrameSaysNothingNotEvenStop)
+{
+    for (const char *said : {"067#0000000000", "0CD#01", "389#03", "405#F4010000"}) {
+        CanFrame frame = *canFrameFromText(said);
+        EXPECT_TRUE(decodeCan(frame, {})) << said;
+        frame.error = true;
+        EXPECT_FALSE(decodeCan(frame, {})) << said;
+    }
+}
+
 TEST(AbstractDcDecode, SettingsOfTheWideDialectsHaveTheirFieldInTheUpperHalfOfTheFirstByte)
 {
     EXPECT_EQ(text("0CB#31000000FEFFFFFF", "L"), "settings 3 TYPE=1 FIELD=3 value=-2");

@@ -313,6 +313,18 @@ TEST_F(AbstractDcController, CurrentIsCountsUntilTheUserKnowsBetter)
     device->stop();
 }
 
+TEST_F(AbstractDcController, AChannelHasTheUnitOfItsOwnCalibrationOnly)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    const auto unit = [this](std::string_view key) { return device->telemetry()->channels()[channel(key).value].unit; };
+    ASSERT_TRUE(device->knowledge().calibrate("amperes_per_count", 0.05));
+    EXPECT_EQ(unit("current"), "A");
+    EXPECT_EQ(unit("temperature"), "counts");
+    ASSERT_TRUE(device->knowledge().calibrate("degrees_per_count", 0.5));
+    EXPECT_EQ(unit("temperature"), "°C");
+}
+
 TEST_F(AbstractDcController, TheSetPointOfACurrentIsRecordedAsItWasSent)
 {
     add("abstractdc:3");

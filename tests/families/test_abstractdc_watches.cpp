@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is counted and concluded from the logs of an Abstract DC Drive, with every limit from both sides.
+#include "async/virtualclock.h"
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/leadprobe.h"
+#include "families/abstractdc/logsense.h"
 #include "families/abstractdc/motionsense.h"
 #include "families/abstractdc/outputwatch.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/powercycledebt.h"
 #include "families/abstractdc/whereabouts.h"
+#include "model/family.h"
+#include "transport/backends/virtualcan.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace mb::abstractdc {
+extern const Family family;
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -411,6 +420,26 @@ TEST(AbstractDcMotionSense, APositionNearZeroThatNoShaftReachesSoFastIsThatOfARe
     EXPECT_EQ(readingOf(100, 401, 0), MotionSense::Reading::Anew);
     EXPECT_EQ(readingOf(100, 5000, 400), MotionSense::Reading::Anew) << "it ran on from 0";
     EXPECT_EQ(readingOf(0, 1000, 500), MotionSense::Reading::Taken) << "a jump to anywhere else is none";
+}
+
+// What its loop measures: abstractdc/README.md#stale-logs
+
+TEST(AbstractDcLogSense, ALoopHasPassedTwiceOnlyAfterItsSetPointWasOnTheWireTooAndADutyHasNoPass)
+{
+    VirtualClock clock;
+    VirtualCanBus bus{clock, 125'000, 1};
+    VirtualCanLink link{*LinkAddress::parse("sim:can"), bus};
+    const DeviceProfile profile;
+    LogSense sense(link, clock, std::make_shared<Telemetry>(family.channels), profile, {});
+    const Duration passes = 2 * loopPeriod + loopPeriod / 4;
+    Instant begin = Instant{} + 1s;
+    for (const auto &[loop, least] :
+        {std::pair{Loop::Velocity, passes}, {Loop::Direct, Duration::zero()}, {Loop::Position, passes}}) {
+        ASSERT_TRUE(sense.enter(loop, begin));
+        EXPECT_FALSE(sense.hasPassed(begin + least + roundTrip(link) - 1ns));
+        EXPECT_TRUE(sense.hasPassed(begin + least + roundTrip(link)));
+        begin += 10s;
+    }
 }
 
 } // namespace

@@ -69,6 +69,22 @@ TEST_F(Dmc60cController, SendsTheGoldenControlFrames)
     }
 }
 
+/// dmc60c/README.md#stopping
+TEST_F(Dmc60cController, ATargetOfZeroIsPrecededByTheLeastThereIsThreeTimesAfterEachHalt)
+{
+    const std::string least = "02060005#0000000001000000";
+    const std::string zero = "02060005#0000000000000000";
+    for (int halts = 1; halts <= 2; ++halts) {
+        for (int n = 0; n < 5; ++n) {
+            ASSERT_TRUE(command(Mode::Duty, 0.0));
+            clock.advance(20ms);
+        }
+        EXPECT_EQ(unit.count(least), 3 * halts);
+        EXPECT_EQ(unit.count(zero), 5 * halts);
+        clock.advance(200ms);
+    }
+}
+
 TEST_F(Dmc60cController, SendsNothingForASetPointItRefuses)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

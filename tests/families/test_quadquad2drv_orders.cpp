@@ -5,6 +5,7 @@
 #include "async/scope.h"
 #include "async/sleep.h"
 #include "families/quadquad2drv/codec.h"
+#include "families/quadquad2drv/packetport.h"
 #include "transport/spilink.h"
 
 namespace mb::quadquad2drv {
@@ -88,6 +89,25 @@ TEST_F(QuadQuad2DrvOrders, AnAxisThatIsSwitchedOffAndOnAgainAtOnceTakesItsModeAn
     EXPECT_TRUE(bench.hasSent(setControlMode(2, ControlMode::Power)));
     EXPECT_TRUE(bench.hasSent(setPower(2, 2457)));
     EXPECT_EQ(bench.device->liveness().axes[1].mode, Mode::Duty);
+}
+
+TEST(QuadQuad2DrvPlace, IsLearnedAnewEachTimeThatAnotherProgramHasHiddenIt)
+{
+    Board bench("quadquad2drv:0");
+    PacketPort other(static_cast<SpiLink &>(*bench.link), bench.clock);
+    SetPoint here;
+    here.axis = 2;
+    here.mode = Mode::Position;
+    for (int time = 1; time <= 2; ++time) {
+        ASSERT_TRUE(run(bench.clock, other.request(setDataMask(0x02, 0x06))));
+        bench.clock.advance(500ms);
+        EXPECT_FALSE(bench.stream().start(here, 1s)) << time;
+        bench.clock.advance(500ms);
+        ASSERT_TRUE(bench.stream().start(here, 1s)) << time;
+        bench.clock.advance(500ms);
+        bench.stream().stop();
+        bench.clock.advance(1s);
+    }
 }
 
 } // namespace

@@ -274,6 +274,22 @@ TEST_F(QuadQuad2DrvStop, IsSeenOnlyWhereItWasAnsweredAndTheMotorIsHeardSince)
     EXPECT_FALSE(device->isSeenStopped()) << "nobody sees it any more";
 }
 
+TEST_F(QuadQuad2DrvStop, MotionDataOfTheMomentInWhichItWasOrderedDoNotShowIt)
+{
+    Instant told{};
+    const Subscription listening = device->telemetry()->samples().add([&](const Sample &sample) {
+        if (sample.channel == channelOf(0, AxisChannel::Position))
+            told = bench.clock.now();
+    });
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(bench.clock.runUntil([&] { return told == bench.clock.now(); }, 1s));
+    const Instant ordered = told;
+    stream->stop();
+    ASSERT_TRUE(bench.clock.runUntil([this] { return device->isSeenStopped(); }, 2s));
+    EXPECT_GT(told, ordered);
+}
+
 TEST_F(QuadQuad2DrvStop, TwoAnswersThatAreNotInARowAreNoProof)
 {
     ASSERT_TRUE(stream->start(duty(0.3), 10s));

@@ -133,6 +133,32 @@ TEST_F(SupermodifiedPort, AnAnswerThatHasBegunIsHeardOut)
     EXPECT_TRUE(isGood());
 }
 
+TEST_F(SupermodifiedPort, AnAnswerThatHasBegunAndDoesNotGoOnIsGivenUp)
+{
+    clock.advance(100ms);
+    const auto ticket = ask(Command::GetPosition);
+    clock.advance(27ms);
+    port.say("55 AA 77 04 6F 04");
+    clock.advance(2500us);
+    EXPECT_FALSE(reply) << "it may be under way";
+    clock.advance(20ms);
+    ASSERT_TRUE(reply && !reply->has_value());
+    EXPECT_EQ(reply->error().fault, Fault::Timeout);
+}
+
+TEST_F(SupermodifiedPort, WhatIsPolledIsAskedAgainOnceTheLinkIsOpenAnew)
+{
+    (void)line->polls().add(asking(Node{4, 57600, Dialect::D1}, Command::GetPosition), 50ms, {});
+    clock.advance(300ms);
+    ASSERT_GT(port.count(Command::GetPosition), 0);
+    port.close();
+    clock.advance(1s);
+    port.sent.clear();
+    ASSERT_TRUE(port.open());
+    clock.advance(500ms);
+    EXPECT_GT(port.count(Command::GetPosition), 0);
+}
+
 TEST_F(SupermodifiedPort, ALateAnswerTellsHowLongAnswersTake)
 {
     clock.advance(100ms);
@@ -331,6 +357,18 @@ TEST_F(SupermodifiedLateAnswers, AfterASettingThatWasNotAnsweredItIsLookedOnceMo
     hear("55 AA 77 04 04 00 04"); // of the first
     EXPECT_EQ(port.count(Command::MoveProfiledRelative), 0);
     EXPECT_EQ(port.count(Command::GetPosition), looks + 1);
+}
+
+TEST_F(SupermodifiedLateAnswers, WhatItWasToldIsOverWhereItSwitchedItselfOff)
+{
+    ASSERT_TRUE(motion.command(by(500.0)));
+    clock.advance(3ms);
+    ASSERT_TRUE(motion.isBusy());
+    motion.tripped(say("over-temperature"));
+    EXPECT_FALSE(motion.isBusy());
+    hear(standing);
+    clock.advance(1s);
+    EXPECT_EQ(port.count(Command::MoveRelative), 0);
 }
 
 TEST(SupermodifiedPolls, OneThatIsTakenAwayIsNotAskedAgainAndTheOthersAre)

@@ -165,6 +165,42 @@ TEST_F(VirtualSpi, WaitingForTheReadyLineEndsWhenItRisesOrTheTimeIsOver)
     EXPECT_EQ(again.result().error().fault, Fault::Timeout);
 }
 
+/// Its ready line is low when it is opened, and cannot be read afterwards.
+class BrokenLine final : public SpiLink {
+public:
+    explicit BrokenLine(Clock &clock)
+        : SpiLink(*LinkAddress::parse("sim:spi"), clock)
+    {
+    }
+    ~BrokenLine() override { close(); }
+
+private:
+    Result<void> doOpen() override
+    {
+        setReady(false);
+        return {};
+    }
+    void doClose() override { }
+    void doTransfer(const Bytes &) override { }
+    void doSampleReady() override { setReady(std::nullopt); }
+    [[nodiscard]] bool doSignalsReady() const override { return false; }
+    Result<void> doPulseReset() override { return {}; }
+};
+
+TEST(SpiReadyLine, OneThatCannotBeReadAnyMoreHasNotRisen)
+{
+    VirtualClock clock;
+    BrokenLine link(clock);
+    ASSERT_TRUE(link.open());
+    Task<void> waiting = link.waitReady(10ms);
+    waiting.start();
+    clock.advance(11ms);
+    ASSERT_TRUE(waiting.isFinished());
+    ASSERT_FALSE(link.ready());
+    ASSERT_FALSE(waiting.result());
+    EXPECT_EQ(waiting.result().error().fault, Fault::Timeout);
+}
+
 TEST_F(VirtualSpi, ResetReachesTheBoard)
 {
     ASSERT_TRUE(link.pulseReset());
