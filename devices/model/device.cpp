@@ -101,9 +101,9 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     UnsettledWrite unsettled = m_knowledge.writing(index);
     if (parameter.access != Access::WriteOnly || m_link.state() != LinkState::Open)
         unsettled.settle();
-    auto moves = qScopeGuard([this, isPlace = parameter.nature == Nature::Live] {
+    auto moves = qScopeGuard([isPlace = parameter.nature == Nature::Live, moved = m_gate.originMover()] {
         if (isPlace) // also where nobody knows whether it came
-            m_gate.originMoved();
+            moved();
     });
     const Result<std::int64_t> inForce = co_await doWrite(index, raw).attempt();
     const bool isRefused = !inForce && !mayHaveCome(inForce.error().fault);

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 namespace mb {
@@ -66,15 +67,20 @@ public:
     void forgetMove() { m_kept = {}; }
 
     /// Another number once its positions may count from another place: somebody has zeroed them, or it has restarted.
-    [[nodiscard]] std::uint32_t origin() const { return m_origin; }
-    void originMoved() { ++m_origin; }
+    [[nodiscard]] std::uint32_t origin() const { return *m_origin; }
+    void originMoved() { ++*m_origin; }
+    /// originMoved() for an order that may outlive the device.
+    [[nodiscard]] auto originMover() const
+    {
+        return [origin = m_origin] { ++*origin; };
+    }
 
 private:
     Message m_busy;
     const std::atomic<bool> *m_stopGate = nullptr;
     Instant m_stoppedAt{};
     KeptMove m_kept;
-    std::uint32_t m_origin = 0;
+    std::shared_ptr<std::uint32_t> m_origin = std::make_shared<std::uint32_t>(0);
     KeptMove::State m_before = KeptMove::State::None; ///< the newest was sent
 };
 

@@ -234,4 +234,15 @@ TEST_F(Dmc60cController, AValueThatReadsBackOldIsReadAgainBeforeItIsCalledWrong)
 }
 
 } // namespace
+TEST_F(Dmc60cController, APositionThatIsWrittenWhenItsDeviceGoesEndsWithNothing)
+{
+    auto writing = device->write(index("encoder.position"), 5);
+    writing.start();
+    clock.advance(1ms);
+    ASSERT_FALSE(writing.isFinished());
+    device.reset();
+    writing.cancel();
+    EXPECT_FALSE(writing.isValid());
+}
+
 } // namespace mb::dmc60c

@@ -126,9 +126,9 @@ Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t 
         m_debt.incur(); // before it can be in force
     const int offset = m_device.identity().address;
     co_await m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value));
-    const auto proved = qScopeGuard([this] { m_unproven.reset(); });
+    const auto proved = qScopeGuard([unproven = m_unproven] { unproven->reset(); });
     if (const auto index = parameterOf(loop, fieldOf(parameter))) {
-        m_unproven = {*index, raw};
+        *m_unproven = {*index, raw};
         written(*index, raw);
     }
     co_await expectAnswer();

@@ -5,6 +5,7 @@
 #include "families/abstractdc/logsense.h"
 #include "families/abstractdc/powercycledebt.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ public:
     /// The drive has begun anew: what was not saved is not in force any more.
     void restarted();
     /// What was sent and may be in force, although no answer has proved it yet.
-    [[nodiscard]] const std::optional<ParameterChange> &unproven() const { return m_unproven; }
+    [[nodiscard]] const std::optional<ParameterChange> &unproven() const { return *m_unproven; }
     /// The averaging in force is none of 1 … 500 (somebody else wrote it), and so it is when the drive begins anew.
     [[nodiscard]] bool overrunsEver() const;
     /// How often each loop was saved since its page was erased, for Identity::descriptors.
@@ -59,8 +60,9 @@ private:
     const LogSense &m_logs;
     PowerCycleDebt &m_debt;
     std::function<void(const std::string &, std::int64_t)> m_count;
-    std::optional<ParameterChange> m_unproven;
-    std::optional<std::int64_t> m_averaging; ///< written last, by anybody, since this run began
+    std::shared_ptr<std::optional<ParameterChange>> m_unproven
+        = std::make_shared<std::optional<ParameterChange>>(); ///< an order may outlive this
+    std::optional<std::int64_t> m_averaging;                  ///< written last, by anybody, since this run began
     Subscription m_exchanged;
 };
 
