@@ -6,6 +6,7 @@
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "experiment/owedgains.h"
+#include "files/qttext.h"
 #include "model/unit.h"
 #include "settings/snapshots.h"
 #include "settings/storing.h"

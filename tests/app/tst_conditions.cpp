@@ -6,6 +6,7 @@
 #include "app/conditions.h"
 #include "model/registry.h"
 #include "widgets/common/banner.h"
+#include "widgets/control/arming.h"
 
 #include <QImage>
 #include <QPushButton>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "abstractdccontrollerbench.h"
+#include "families/abstractdc/codec.h"
 
 namespace mb::abstractdc {
 namespace {

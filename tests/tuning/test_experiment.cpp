@@ -13,6 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::ExperimentBench;
+using test::run;
 using test::stepTo;
 
 void expectDone(const Result<Trial> &trial)

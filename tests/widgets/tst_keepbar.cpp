@@ -6,6 +6,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/parameters/keepbar.h"
 
+#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
