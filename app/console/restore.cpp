@@ -161,14 +161,14 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
 /// What this unit's dialect does not have: the file may be of a unit of another one. Unsupported where the dialect is not known.
 Result<void> leaveOut(const Device &device, ParameterFile &file)
 {
-    const auto absent = std::ranges::stable_partition(
-        file.values, [&device](const ParameterChange &change) { return device.offers(change.index); });
-    if (!absent.empty() && device.identity().dialect.empty())
+    const auto absent = std::stable_partition(file.values.begin(), file.values.end(),
+        [&device](const ParameterChange &change) { return device.offers(change.index); });
+    if (absent != file.values.end() && device.identity().dialect.empty())
         return fail(Fault::Unsupported, device.identity().detail);
-    for (const ParameterChange &change : absent)
+    for (auto change = absent; change != file.values.end(); ++change)
         file.notes.push_back(
-            say("%1 does not exist in this device's dialect", device.parameters().parameter(change.index).key));
-    file.values.erase(absent.begin(), absent.end());
+            say("%1 does not exist in this device's dialect", device.parameters().parameter(change->index).key));
+    file.values.erase(absent, file.values.end());
     return {};
 }
 
