@@ -7,7 +7,6 @@
 #include "app/folders/userfolders.h"
 #include "async/sleep.h"
 #include "transport/canlink.h"
-#include "transport/linkaddress.h"
 #include "transport/linkcatalog.h"
 
 #include <QFile>
@@ -262,7 +261,7 @@ Task<std::vector<std::string>> owedTo(Console &console, Device &device)
 Task<int> info(Console &console, FactsArguments arguments)
 {
     auto target = co_await parseTarget(console, arguments.device);
-    target.mayBeSilent = kindOf(target.selector.link) == LinkKind::Spi; // a board that waits in its bootloader
+    target.mayBeSilent = mayWaitInBootloader(target);
     const auto kept = co_await parseAll(*target.family, arguments.keep);
     Device *const device = co_await connect(console, target);
     co_await keep(console, *device, kept);

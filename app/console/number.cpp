@@ -49,8 +49,8 @@ Task<int> renumber(Console &console, NumberArguments arguments)
     if (!number)
         co_return fail(number.error());
     Device *const device = co_await connect(console, target);
-    console
-        .onlyAsk(); // a number that is refused for its range or its owner is refused before the device is told anything
+    // What is refused for its range or its owner is refused before the device is told anything.
+    console.onlyAsk();
     co_await checkFree(console, *device, *number);
     const int old = device->identity().address;
     Notebook notebook(console);

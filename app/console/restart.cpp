@@ -2,7 +2,6 @@
 #include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "transport/linkaddress.h"
 
 #include <memory>
 
@@ -12,7 +11,7 @@ namespace {
 Task<int> restart(Console &console, std::string text)
 {
     auto target = co_await parseTarget(console, text);
-    target.mayBeSilent = kindOf(target.selector.link) == LinkKind::Spi; // a board that waits in its bootloader
+    target.mayBeSilent = mayWaitInBootloader(target);
     if (!target.family->capabilities.restart)
         co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target.family->key),
             say("switch it off and on"));
