@@ -160,12 +160,29 @@ void Links::reopenLost()
     }
 }
 
-/// Another adapter has its name: who was found on the one before is gone, and who is there now is looked for.
+/// Its adapter has another name now, under which it is open.
+bool Links::isRenamed(const Link &link) const
+{
+    const std::vector<Link *> all = m_context.session.links();
+    return !link.line().empty() && std::ranges::any_of(all, [&link](const Link *other) {
+        return other->state() == LinkState::Open && !other->address().isSimulated() && other->line() == link.line();
+    });
+}
+
+/// Another adapter has its name, or its adapter has another name: who was found on it is gone, and who is there now is looked for.
 bool Links::replace(Link &link)
 {
-    if (link.isOpening() || !isReplaced(link) || !mayClose(link))
+    if (link.isOpening() || !mayClose(link))
         return false;
     const LinkAddress address = link.address();
+    if (isRenamed(link)) {
+        m_context.log.tell(Severity::Caution, address.shortName(),
+            say("its adapter has another name now; what was found under this one is not in the list any more"));
+        remove(link);
+        return true;
+    }
+    if (!isReplaced(link))
+        return false;
     const bool byItself = m_open[&link].byItself;
     m_context.log.tell(Severity::Caution, address.shortName(),
         say("another adapter has this name now; what was found on the one before is not in the list any more"));
@@ -219,16 +236,19 @@ void Links::dropVanished()
 void Links::openByItself()
 {
     for (const LinkListing &listing : m_listings) {
-        if (listing.link.scheme != "socketcan" || !listing.openable || m_context.session.linkBook().find(listing.link)
-            || m_closedByHand.count(listing.link.text()) > 0)
-            continue;
-        if (auto link = m_context.session.openLink(listing.link)) {
-            m_failed.erase(listing.link.text());
-            follow(**link);
-            m_open[*link].byItself = true;
-            m_scans.scan(**link);
-        }
+        if (listing.link.scheme == "socketcan" && listing.openable
+            && !m_context.session.linkBook().find(listing.link) && m_closedByHand.count(listing.link.text()) == 0)
+            begin(listing.link.text(), openUnasked(listing.link));
     }
+}
+
+Task<void> Links::openUnasked(LinkAddress address)
+{
+    Link *const link = co_await m_context.session.openLinkSoon(address);
+    opened(*link);
+    m_open[link].byItself = true;
+    m_scans.scan(*link);
+    co_return {};
 }
 
 void Links::describe(Snapshot &shot) const

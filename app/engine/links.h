@@ -50,6 +50,7 @@ private:
     void end(const std::string &address, const Result<void> &result);
     [[nodiscard]] Task<void> openAll(std::vector<LinkAddress> addresses);
     [[nodiscard]] Task<void> openReturned(LinkAddress address);
+    [[nodiscard]] Task<void> openUnasked(LinkAddress address);
     [[nodiscard]] Result<void> mayClose(const Link &link) const;
     void couldNotOpen(const LinkAddress &address, const Error &error);
     void opened(Link &link);
@@ -58,6 +59,7 @@ private:
     void follow(Link &link);
     void stateChanged(Link &link, LinkState state);
     void reopenLost();
+    [[nodiscard]] bool isRenamed(const Link &link) const;
     [[nodiscard]] bool replace(Link &link);
     void welcomeReturned();
     void dropVanished();

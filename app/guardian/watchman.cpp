@@ -93,11 +93,15 @@ void Watchman::ended(const Runner::Outcome &outcome, Time now)
 
 void Watchman::dropOldDebts(Time now)
 {
-    if (m_owed.empty() || !m_runner.isIdle() || now - m_owed.begin()->second.since < debtLimit)
+    if (!m_runner.isIdle())
         return;
-    for (const auto &[id, owed] : std::exchange(m_owed, {})) {
-        m_voice.log("GAVE UP after ten minutes, cut its power: " + owed.name + owed.cause); // and it stays written down
-    }
+    std::erase_if(m_owed, [&](const auto &entry) {
+        const Owed &owed = entry.second;
+        const bool isOld = now - owed.since >= debtLimit;
+        if (isOld) // and it stays written down
+            m_voice.log("GAVE UP after ten minutes, cut its power: " + owed.name + owed.cause);
+        return isOld;
+    });
 }
 
 void Watchman::pay(Time now)

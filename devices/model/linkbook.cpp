@@ -57,6 +57,8 @@ Task<Link *> LinkBook::openSoon(LinkAddress address)
     }
     auto made = co_await make(address);
     co_await made.link->openSoon();
+    if (Link *const known = find(address)) // somebody else has opened it meanwhile
+        co_return known;
     co_return &enlist(std::move(made));
 }
 

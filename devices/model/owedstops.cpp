@@ -46,11 +46,13 @@ std::vector<OwedStop> OwedStops::unseen() const
     return unseen;
 }
 
-bool OwedStops::isFollowed(const OwedStop &owed) const
+bool OwedStops::isFollowed(const OwedStop &owed, const Link *on) const
 {
     const std::vector<Device *> all = m_devices.all();
-    return std::ranges::any_of(all,
-        [&owed](Device *device) { return isOf(owed, device->link().line(), device->selector()) && follows(*device); });
+    return std::ranges::any_of(all, [&owed, on](Device *device) {
+        return (!on || on == &device->link()) && isOf(owed, device->link().line(), device->selector())
+            && follows(*device);
+    });
 }
 
 void OwedStops::pay(Link &link)
@@ -95,7 +97,8 @@ void OwedStops::sendDue()
     for (const OwedStop &owed : m_owed) {
         const auto line = std::ranges::find_if(
             m_lines, [&owed](const Line &one) { return one.isOurs && one.link->line() == owed.line; });
-        if (line == m_lines.end() || m_clock.now() - owed.since >= DeviceStop::debtLimit || isFollowed(owed)
+        if (line == m_lines.end() || m_clock.now() - owed.since >= DeviceStop::debtLimit
+            || isFollowed(owed, line->link) // one on a name that the line has lost can follow nothing
             || std::ranges::any_of(line->sent, [&owed](const OwedStop &one) {
                    return isOf(one, owed.line, owed.device) && owed.since - one.since < lookPeriod;
                }))
@@ -139,11 +142,13 @@ void OwedStops::settle(const std::string &line, const std::string &device)
         m_guard->settle(line, device);
 }
 
-void OwedStops::leave(const std::string &line)
+void OwedStops::leave(const Link &link)
 {
-    std::erase_if(m_lines, [&line](const Line &one) { return one.link->line() == line; });
-    if (m_guard)
-        m_guard->leave(line);
+    std::erase_if(m_lines, [&link](const Line &one) { return one.link == &link; });
+    const bool isOpenElsewhere = std::ranges::any_of(m_lines,
+        [&link](const Line &one) { return one.link->line() == link.line(); }); // under another name
+    if (m_guard && !isOpenElsewhere)
+        m_guard->leave(link.line());
 }
 
 void OwedStops::dismiss()

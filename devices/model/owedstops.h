@@ -29,8 +29,8 @@ public:
     void passTo(Device &device);
     /// The device was seen to stand.
     void settle(const Device &device) { settle(device.link().line(), device.selector()); }
-    /// The link to this line (linkIdentity) was closed or lost: what is owed there is the guardians' again.
-    void leave(const std::string &line);
+    /// It was closed or lost: what is owed on its line is the guardians' again, unless that is open here under another name, too.
+    void leave(const Link &link);
     /// The user has looked at the motors: nothing is owed any more.
     void dismiss();
 
@@ -46,7 +46,7 @@ private:
     void read();
     void sendDue();
     void settle(const std::string &line, const std::string &device);
-    [[nodiscard]] bool isFollowed(const OwedStop &owed) const;
+    [[nodiscard]] bool isFollowed(const OwedStop &owed, const Link *on = nullptr) const; ///< by a device on any link
 
     Clock &m_clock;
     DeviceBook &m_devices;

@@ -40,7 +40,7 @@ void Session::closeLink(Link &link)
 {
     m_stops.beforeClose(link);
     m_devices.forget(link);
-    m_stops.leave(link.line());
+    m_stops.leave(link);
     m_links.close(link);
 }
 

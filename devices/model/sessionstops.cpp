@@ -78,7 +78,7 @@ void SessionStops::linkOpened(Link &link)
 /// Its line may be back under a name that is no link of ours, while another one has this name: the guardians look for it everywhere.
 void SessionStops::linkLost(const Link &link)
 {
-    m_owed.leave(link.line());
+    m_owed.leave(link);
     retryOwing();
 }
 

@@ -21,7 +21,7 @@ public:
     /// Stops what this program drives on a link that is about to be closed; what was told and is not seen to stand by then is owed.
     void beforeClose(const Link &link);
     /// Its devices are gone: what is owed on this line is the guardians' again.
-    void leave(const std::string &line) { m_owed.leave(line); }
+    void leave(const Link &link) { m_owed.leave(link); }
     /// To motors of which no device of the session shows what became of them.
     [[nodiscard]] std::vector<OwedStop> owed() const { return m_owed.unseen(); }
     /// The user has looked at the motors: nothing is owed any more.

@@ -138,6 +138,22 @@ TEST_F(SerialLinks, AnotherAdapterUnderItsNameIsAnotherLinkWhoseDevicesAreLooked
     EXPECT_EQ(core.session().links().front()->line(), "/usb2");
 }
 
+TEST_F(SerialLinks, ALostOneWhoseAdapterIsOpenUnderAnotherNameLeavesTheList)
+{
+    core.session().linkBook().setIdentify([](const LinkAddress &) { return "/usb1"; });
+    plug();
+    open();
+    unplug();
+    ASSERT_TRUE(loop.runUntil([this] { return core.snapshot().links[0].state == LinkState::Lost; }));
+    path = folder / "ttyUSB1";
+    plug();
+    open();
+    clock.advance(2s);
+    EXPECT_TRUE(isOpen());
+    EXPECT_EQ(core.session().links().front()->address().path, path.string());
+    EXPECT_TRUE(said("its adapter has another name now"));
+}
+
 TEST_F(SerialLinks, ALineIsScannedWhenItOpensAndWhenAskedAndNeverByItself)
 {
     plug();

@@ -136,6 +136,24 @@ TEST_F(SlowWork, StopsLeaveWhileAnotherPortDoesNotOpen)
     EXPECT_FALSE(opened);
 }
 
+TEST_F(SlowWork, AnInterfaceThatIsUpIsOpenedElsewhereTooAndOnceAlthoughSomebodyAsksForIt)
+{
+    EngineCore unasked(clock, test::textFamilies, true);
+    unasked.setBackground(&background);
+    LinkListing listing;
+    listing.link = *LinkAddress::parse("socketcan:nothere0");
+    listing.openable = true;
+    unasked.links().takeListings({listing});
+    EXPECT_EQ(background.waiting(), 1U) << "a driver may hold up whoever opens it";
+    unasked.links().takeListings({listing});
+    unasked.send(orders::OpenLink{listing.link}, opened.finished());
+    EXPECT_EQ(background.waiting(), 1U);
+    background.release();
+    clock.advance(10ms);
+    ASSERT_TRUE(opened && !*opened);
+    EXPECT_TRUE(unasked.session().links().empty());
+}
+
 TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenStaysClosed)
 {
     open(slow);

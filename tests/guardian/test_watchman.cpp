@@ -210,6 +210,27 @@ TEST_F(Watching, AStopIsOwedForTenMinutes)
     EXPECT_EQ(lines.back(), "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it ended)");
 }
 
+TEST_F(Watching, EachStopIsOwedForTenMinutesOfItsOwn)
+{
+    hear(Kind::Watch, 4);
+    port.state = Port::Sent::Lost;
+    run(500ms + 10ms);
+    port.now += 9min;
+    hear(Kind::Watch, 5);
+    watchman.hangUp(port.now);
+    run(10ms);
+    port.now += 61s;
+    watchman.proceed(port.now);
+    EXPECT_EQ(lines.back(),
+        "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it fell silent)");
+    EXPECT_TRUE(watchman.isOwing()) << "5 for nine more";
+    watchman.pay(port.now);
+    port.state = Port::Sent::All;
+    run(100ms);
+    EXPECT_EQ(lines.back(), "stopped at last motor 5 (the program that drove it ended)");
+    EXPECT_TRUE(watchman.isDone());
+}
+
 TEST_F(Watching, AStopThatAnotherProcessHasSettledIsNotItsBusinessAnyMore)
 {
     hear(Kind::Watch, 4, "a");

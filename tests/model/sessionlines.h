@@ -129,7 +129,7 @@ protected:
     {
         stops.beforeClose(link);
         devices.forget(link);
-        stops.leave(link.line());
+        stops.leave(link);
         book.close(link);
     }
     /// The adapter of a line comes out.

@@ -215,7 +215,7 @@ TEST_F(Owed, TheFirstThatIsWrittenDownWhileItsLineIsOpenHereIsSentWithinASecond)
     clock.advance(1s);
     EXPECT_EQ(link.sent, Frames{"00000300#00"}) << "the guardian that wrote it leaves it to whoever has the line";
     EXPECT_EQ(owed.unseen().size(), 1U);
-    owed.leave(owedLine);
+    owed.leave(link);
     guard.book = {stopOf("socketcan:can0/loose:4", 0x400)};
     clock.advance(5s);
     EXPECT_EQ(link.sent.size(), 1U) << "a line that was left is the guardians'";
@@ -225,7 +225,7 @@ TEST_F(Owed, OnALineThatIsLeftAgainIsNotAskedFor)
 {
     guard.isWithOthers = true;
     (void)paid(link);
-    owed.leave(owedLine);
+    owed.leave(link);
     const int asked = guard.asked;
     clock.advance(5s);
     EXPECT_EQ(guard.asked, asked);
@@ -273,7 +273,7 @@ TEST_F(Owed, TheGuardiansHearWhatIsSettledAndWhatIsLeftToThem)
 {
     owed.settle(make());
     EXPECT_EQ(guard.settled, Frames{owedLine + ' ' + motor->selector()});
-    owed.leave(otherOwedLine);
+    owed.leave(otherLink);
     EXPECT_EQ(guard.left, Frames{otherOwedLine});
     guard.settled.clear();
     owed.add(*motor);
@@ -289,7 +289,7 @@ TEST_F(Owed, WithoutGuardiansEverythingElseIsTheSame)
     alone.add(make());
     alone.pay(link);
     EXPECT_EQ(link.sent, Frames{owedStopFrame});
-    alone.leave(owedLine);
+    alone.leave(link);
     EXPECT_EQ(alone.unseen().size(), 1U);
     alone.settle(*motor);
     EXPECT_TRUE(alone.unseen().empty());

@@ -291,5 +291,26 @@ TEST_F(SessionLines, AnotherAdapterUnderTheNameOfALostLineIsToldNothingAndTheDeb
     EXPECT_TRUE(stops.owed().empty());
 }
 
+TEST_F(SessionLines, ALineThatIsBackUnderAnotherNameIsPaidAtOnceWhileTheLostOneIsListedAndStaysOursWhenThatIsClosed)
+{
+    WiredMotor &motor = motorOn(*links[0]);
+    run(motor);
+    (void)heard(0, 1);
+    lose(1);
+    lose(0);
+    guard.book = {owedTo(motor)}; // its guardian could not reach it either
+    close(*links[1]);
+    plug(0, 1);
+    links[1] = openLine(1);
+    EXPECT_EQ(heard(0, 1), Bytes{scriptByte});
+    ASSERT_EQ(links[0]->state(), LinkState::Lost);
+    guard.left.clear();
+    close(*links[0]);
+    EXPECT_TRUE(guard.left.empty()) << "it is open here";
+    guard.book = {owedTo(motorOn(*links[1], 4))};
+    clock.advance(2s);
+    EXPECT_EQ(heard(0, 1), Bytes{stopByte}) << "what is written down later is paid here, too";
+}
+
 } // namespace
 } // namespace mb

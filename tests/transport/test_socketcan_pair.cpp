@@ -368,6 +368,21 @@ TEST_F(SocketCanPair, WhatNobodyTookForHalfASecondIsNotCarriedOutLaterAndAStopIs
     EXPECT_FALSE(link->health().stuckSince);
 }
 
+TEST_F(SocketCanPair, WhatWaitedThroughAStallOfItsThreadIsNotCarriedOutAfterItAndAStopIs)
+{
+    while (link->backlog() == 0)
+        ASSERT_TRUE(link->send(extendedFrame(1, {})));
+    ASSERT_TRUE(link->send(extendedFrame(2, {7})));
+    ASSERT_TRUE(link->send(extendedFrame(3, {}), Priority::Urgent));
+    std::this_thread::sleep_for(CanQueue::mostPatience + 50ms); // the thread has no turn
+    (void)taken();                                              // the cable is back
+    ASSERT_TRUE(loop.runUntil([this] { return link->backlog() == 0; }));
+    const std::vector<can_frame> after = taken();
+    ASSERT_EQ(after.size(), 1U);
+    EXPECT_EQ(after[0].can_id & CAN_EFF_MASK, 3U);
+    EXPECT_GE(link->counters().lost, 2U);
+}
+
 TEST_F(SocketCanPair, APeerThatClosesLosesTheLink)
 {
     put(1);

@@ -152,6 +152,7 @@ Result<void> QtCanLink::doSend(const CanFrame &frame, Priority priority)
 
 void QtCanLink::pump()
 {
+    countLost(m_queue.dropStale()); // first: it may be long ago that this thread had its turn
     while (m_device && !m_queue.isEmpty() && m_device->state() == QCanBusDevice::ConnectedState
         && m_device->framesToWrite() < framesInPlugin) {
         const CanQueue::Next next = m_queue.take(); // first: writing may call back
@@ -163,10 +164,8 @@ void QtCanLink::pump()
             countLost(1);
         break;
     }
-    if (!m_device || m_queue.isEmpty())
-        return;
-    countLost(m_queue.dropStale());
-    m_retry.startIn(retryDelay, [this] { pump(); });
+    if (m_device && !m_queue.isEmpty())
+        m_retry.startIn(retryDelay, [this] { pump(); });
 }
 
 void QtCanLink::receive()

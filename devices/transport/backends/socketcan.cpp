@@ -235,8 +235,17 @@ void SocketCanLink::takeInterface(const CanInterface &now)
 {
     m_interface = now;
     countInterface();
-    if (now.kind == CanInterface::Kind::Controller && state() == LinkState::Open)
-        updateHealth(now.state, now.transmitErrors, now.receiveErrors);
+    if (now.kind != CanInterface::Kind::Controller || state() != LinkState::Open)
+        return;
+    updateHealth(now.state, now.transmitErrors, now.receiveErrors);
+    if (now.state == BusState::BusOff) // its error frame may have found no room in the socket
+        endAtBusOff();
+}
+
+void SocketCanLink::endAtBusOff()
+{
+    end({Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", address().path),
+        say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
 }
 
 void SocketCanLink::countInterface()
@@ -325,8 +334,7 @@ void SocketCanLink::take(const can_frame &raw, Instant time)
     }
     deliver(frame);
     if (report.state == BusState::BusOff)
-        end({Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", address().path),
-            say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
+        endAtBusOff();
 }
 
 Instant SocketCanLink::stampOf(const msghdr &message, Duration unixOffset, Instant now)
@@ -389,6 +397,7 @@ void SocketCanLink::flush()
 {
     m_writable->setEnabled(false);
     m_retry.stop();
+    countLost(m_queue.dropStale()); // first: it may be long ago that this thread had its turn
     while (!m_queue.isEmpty()) {
         const CanQueue::Next next = m_queue.take();
         const int cause = writeFrame(m_descriptor, next.frame, next.priority);
@@ -396,9 +405,7 @@ void SocketCanLink::flush()
             m_queue.putBack(next);
             if (!health().stuckSince)
                 setStuckSince(clock().now());
-            if (tryLater(cause))
-                countLost(m_queue.dropStale());
-            else
+            if (!tryLater(cause))
                 failLater(cause);
             return;
         }
