@@ -355,7 +355,7 @@ TEST_F(AbstractDcLead, AGainThatIsRaisedTooFarLeavesAllThatWereOrderedWithItUnwr
     sent.clear();
     NoProgress unseen;
     const auto outcomes
-        = test::run(clock, writeParameters(*device, {{index("velocity.i"), 3}, {index("velocity.d"), 40}}, unseen));
+        = test::run(clock, writeParameters(*device, {{index("velocity.d"), 1}, {index("velocity.p"), 54}}, unseen));
     ASSERT_TRUE(outcomes);
     ASSERT_EQ(outcomes->size(), 1U);
     ASSERT_FALSE(outcomes->front().raw);
