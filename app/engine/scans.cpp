@@ -10,6 +10,13 @@ namespace {
 
 constexpr Duration rescanPeriod = std::chrono::seconds(5);
 
+/// It was taken for mute, and its application runs: a look tells so, also where its motor turns.
+bool isBack(const Device &device)
+{
+    return device.identity().state == DeviceState::Bootloader && !device.family().routes.empty()
+        && device.liveness().heard;
+}
+
 Message takenHere()
 {
     return say("firmware is written here, or units are served; nothing was searched");
@@ -57,7 +64,7 @@ void Scans::scan(Link &link, ScanExtent extent)
     if (round.running || link.state() != LinkState::Open || isTaken(link))
         return;
     round.running = true;
-    round.isCut = false;
+    round.isDue = false;
     round.isAsked = extent != ScanExtent::Quick;
     m_last = m_context.clock.now();
     ScanOptions options;
@@ -113,7 +120,7 @@ bool Scans::isQuiet() const
 {
     const auto all = m_context.session.devices();
     return !m_context.operations.isAnyRunning() && std::ranges::none_of(all, [](const Device *device) {
-        return device->liveness().moving && !device->link().address().isRecording();
+        return device->liveness().moving && !isBack(*device) && !device->link().address().isRecording();
     });
 }
 
@@ -121,9 +128,11 @@ void Scans::look()
 {
     if (!isQuiet() || m_context.clock.now() - m_last < rescanPeriod)
         return;
+    for (const Device *device : m_context.session.devices())
+        m_rounds[&device->link()].isDue |= isBack(*device);
     for (Link *link : m_context.session.links()) {
         if (link->kind() == LinkKind::Can
-            || m_rounds[link].isCut) // looking over serial rates would disturb the devices that work
+            || m_rounds[link].isDue) // looking over serial rates would disturb the devices that work
             scan(*link);
     }
 }
@@ -176,7 +185,7 @@ void Scans::carryOut(const orders::FindMute &order, const std::function<void(Res
     Round &round = m_rounds[*link];
     if (round.running && round.isAsked)
         return finished(fail(Fault::Unsafe, say("somebody searches here already"), say("wait until it is done")));
-    round.isCut |= round.running;
+    round.isDue |= round.running;
     end(round);
     round.running = true;
     round.isAsked = true;

@@ -19,8 +19,8 @@ public:
 
     /// Nothing where firmware is written to a unit, or units are served.
     void scan(Link &link, ScanExtent extent = ScanExtent::Quick);
-    /// Once a second: every open CAN link, and others whose look was cut, when the last look is some time ago and nothing runs or
-    /// moves.
+    /// Once a second: every open CAN link, and others whose look was cut or where one is heard that was taken for mute, when the last
+    /// look is some time ago and nothing runs or moves.
     void look();
     /// Something else needs the link for itself; a search that somebody asked for is said to be over.
     void giveWay(const Link &link);
@@ -38,7 +38,7 @@ private:
     struct Round {
         bool running = false;
         bool isAsked = false; ///< by somebody, who waits for what it finds
-        bool isCut = false;   ///< a look of nobody was ended for what somebody asked: it is made again
+        bool isDue = false;   ///< a look, where none is made without a reason: one was ended for what somebody asked
         Message step;
         int done = 0;
         int total = 0;

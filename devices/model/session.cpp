@@ -107,7 +107,8 @@ Error nobody(const DeviceSelector &selector, bool inRecording)
 
 } // namespace
 
-/// A programmer does not tell whom it hangs on, so nobody else of the family may answer. `seen` answered to the question for it.
+/// A programmer does not tell whom it hangs on, so nobody else of the family may answer. `seen` answered to the question for it. One
+/// that may turn is told to stop for as long as it takes, which no bootloader is.
 Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::vector<Device *> seen)
 {
     Error error = nobody(selector, false);
@@ -128,6 +129,12 @@ Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::ve
     }
     if (!error.remedy.empty())
         co_return fail(std::move(error));
+    for (Device *const known : m_devices.on(link)) {
+        const bool isMeant = known->family().key == selector.family && known->identity().address == selector.address;
+        if (isMeant && (known->stopping().hasMoved() || known->stopping().mayTurn()))
+            co_return fail(Fault::Unsafe, say("the motor was not seen to stand"),
+                say("cut its power, or look at it and say that it stands"));
+    }
     Identity silent;
     silent.family = selector.family;
     silent.address = selector.address;

@@ -59,7 +59,7 @@ public:
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
     /// and the selector does not say which. `mayBeSilent`: where firmware takes another way in than the bus (Family::routes), one
     /// that does not answer is yielded as DeviceState::Bootloader: its update was cut, or it never had a program. But Timeout where
-    /// another of its family answers on the link, which may be the one that is written then.
+    /// another of its family answers on the link, which may be the one that is written then, and Unsafe where its motor may turn.
     [[nodiscard]] Task<Device *> connect(DeviceSelector selector, bool mayBeSilent = false);
 
     [[nodiscard]] std::vector<Device *> devices() const { return m_devices.all(); }

@@ -158,7 +158,12 @@ Task<void> QueueBus::giveUpMissing()
         if (!row.isMissed() || row.seen || now - row.absentAt.value_or(now) < missedAfter)
             continue;
         Visit visit = row.shown->visit;
-        (void)co_await reachSilent(visit).attempt();
+        const Result<void> reached = co_await reachSilent(visit).attempt();
+        if (!reached && !reached.error().remedy.empty()) { // it is not lost: it waits for a hand
+            leftOut(row, reached.error());
+            if (m_run.isOnce())
+                co_return fail(reached.error());
+        }
         if (!row.isMissed())
             continue;
         visit.outcome = Outcome::Failed;

@@ -19,10 +19,10 @@ protected:
         clock.advance(2s);
         ASSERT_TRUE(opened && *opened);
     }
-    Device *device(int address)
+    Device *device(int address, std::string_view family = "dmc60c")
     {
         for (Device *candidate : core.session().devices()) {
-            if (candidate->identity().address == address && candidate->family().key == "dmc60c")
+            if (candidate->identity().address == address && candidate->family().key == family)
                 return candidate;
         }
         return nullptr;
@@ -192,11 +192,7 @@ TEST_F(Core, ShowsAStopUntilItIsSeenAndThenThatItWas)
 TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
 {
     open("sim:can?fault=busoff@3.4");
-    Device *drive = nullptr;
-    for (Device *candidate : core.session().devices())
-        drive = candidate->selector().ends_with("abstractdc:3") ? candidate : drive;
-    ASSERT_NE(drive, nullptr);
-    const DeviceId driven = core.session().idOf(*drive);
+    const DeviceId driven = core.session().idOf(*device(3, "abstractdc"));
     core.send(orders::StartMotion{driven, duty(0.3), 60s}, into(opened));
     ASSERT_TRUE(*opened);
     ASSERT_TRUE(clock.runUntil([&] { return core.session().links().front()->state() == LinkState::Lost; }, 5s));
@@ -207,6 +203,33 @@ TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
     ASSERT_TRUE(clock.runUntil([&] { return said("was seen to stand"); }, 10s));
     EXPECT_FALSE(unit("abstractdc:3")->isOutputOn());
     EXPECT_TRUE(said("is back"));
+}
+
+TEST_F(Core, TakesNoSilentUnitForMuteWhoseMotorWasNotSeenToStand)
+{
+    open("sim:can");
+    Bench &bench = *core.session().bench(*core.session().links().front());
+    const auto find = [this] {
+        test::Heard<DeviceId> found;
+        core.send(orders::FindMute{"sim:can", "abstractdc", 3}, found.finished());
+        EXPECT_TRUE(clock.runUntil([&found] { return found.has_value(); }, 2min));
+        return found.value_or(fail(Fault::Cancelled));
+    };
+    core.send(orders::StartMotion{core.session().idOf(*device(3, "abstractdc")), duty(0.3), 60s}, into(opened));
+    clock.advance(500ms);
+    bench.setLoss(1.0);
+    clock.advance(3s);
+    const auto driven = find();
+    ASSERT_FALSE(driven);
+    EXPECT_EQ(driven.error().fault, Fault::Unsafe);
+    ASSERT_TRUE(unit("abstractdc:3")->isOutputOn());
+    bench.setLoss(0.0);
+    EXPECT_TRUE(clock.runUntil([this] { return !unit("abstractdc:3")->isOutputOn(); }, 1500ms));
+    EXPECT_TRUE(device(3, "abstractdc")->mayStop());
+    clock.advance(5s);
+    bench.setLoss(1.0);
+    clock.advance(3s);
+    EXPECT_TRUE(find()) << "it was seen to stand";
 }
 
 TEST_F(Core, DismissesWhatMayStillTurnByOrder)

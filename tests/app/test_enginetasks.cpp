@@ -178,22 +178,37 @@ TEST_F(SilentBoard, ABoardThatWaitsInItsBootloaderIsInTheListThoughItIsSilent)
     EXPECT_FALSE(device()->mayMove());
 }
 
-TEST(MuteUnits, AreInTheListForTheirFirmwareWhereNoOtherOfTheirFamilyAnswers)
-{
-    VirtualClock clock;
-    EngineCore core(clock, families(), false);
-    const auto find = [&clock, &core](int number) {
-        test::Heard<DeviceId> found;
+class MuteUnits : public testing::Test {
+protected:
+    void find(int number, const test::Heard<DeviceId> &found)
+    {
         core.send(orders::FindMute{"sim:serial", "supermodified", number}, found.finished());
+    }
+    [[nodiscard]] Result<DeviceId> find(int number)
+    {
+        const test::Heard<DeviceId> found;
+        find(number, found);
         EXPECT_TRUE(clock.runUntil([&found] { return found.has_value(); }, 2min));
         return found.value_or(fail(Fault::Cancelled));
-    };
+    }
+    void open() { core.send(orders::OpenLink{*LinkAddress::parse("sim:serial")}); }
+    void power(bool on)
+    {
+        for (Simulator *const node : core.session().bench(*core.session().links().front())->simulators())
+            node->setPowered(on);
+    }
+
+    VirtualClock clock;
+    EngineCore core{clock, families(), false};
+};
+
+TEST_F(MuteUnits, AreInTheListForTheirFirmwareWhereNoOtherOfTheirFamilyAnswers)
+{
     EXPECT_EQ(find(9).error().fault, Fault::LinkLost);
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:serial")});
+    open();
     clock.advance(10s);
     EXPECT_EQ(find(9).error().fault, Fault::Timeout) << "the programmer may hang on another";
-    for (Simulator *const node : core.session().bench(*core.session().links().front())->simulators())
-        node->setPowered(false);
+    power(false);
     const auto mute = find(9);
     ASSERT_TRUE(mute) << mute.error().text();
     const Snapshot shot = core.snapshot();
@@ -207,23 +222,34 @@ TEST(MuteUnits, AreInTheListForTheirFirmwareWhereNoOtherOfTheirFamilyAnswers)
     EXPECT_EQ(core.snapshot().operations.back().device, *mute) << "it was taken, with an image that holds nothing";
 }
 
-TEST(MuteUnits, AreSearchedForBesideALookAndNotBesideAnotherSearch)
+TEST_F(MuteUnits, AreAskedWhoTheyAreWhereTheirApplicationIsHeard)
 {
-    VirtualClock clock;
-    EngineCore core(clock, families(), false);
-    const auto find = [&core](test::Heard<DeviceId> &found) {
-        core.send(orders::FindMute{"sim:serial", "supermodified", 4}, found.finished());
-    };
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:serial")});
+    open();
+    clock.advance(10s);
+    power(false);
+    clock.advance(5s);
+    const auto mute = find(4);
+    ASSERT_TRUE(mute) << mute.error().text();
+    const Device &node = *core.session().find(*mute);
+    ASSERT_EQ(node.identity().state, DeviceState::Bootloader);
+    power(true);
+    EXPECT_TRUE(clock.runUntil([&node] { return node.identity().state == DeviceState::Online; }, 20s));
+    EXPECT_TRUE(node.mayStop());
+    EXPECT_FALSE(node.identity().dialect.empty());
+}
+
+TEST_F(MuteUnits, AreSearchedForBesideALookAndNotBesideAnotherSearch)
+{
+    open();
     ASSERT_TRUE(clock.runUntil(
-        [&core] { return !core.snapshot().links.empty() && core.snapshot().links.front().scanning; }, 10s));
-    test::Heard<DeviceId> found;
-    find(found);
-    test::Heard<DeviceId> another;
-    find(another);
+        [this] { return !core.snapshot().links.empty() && core.snapshot().links.front().scanning; }, 10s));
+    const test::Heard<DeviceId> found;
+    find(4, found);
+    const test::Heard<DeviceId> another;
+    find(4, another);
     ASSERT_TRUE(clock.runUntil([&] { return found.has_value() && another.has_value(); }, 2min));
     EXPECT_EQ(another->error().fault, Fault::Unsafe);
-    const auto isListed = [&core] {
+    const auto isListed = [this] {
         const auto all = core.session().devices();
         return std::ranges::any_of(all, [](const Device *device) { return device->identity().address == 5; });
     };

@@ -314,6 +314,56 @@ TEST_F(AbstractDcLead, ATargetIsLedByAGainThatIsStillOnItsWay)
     stream.stop();
 }
 
+TEST_F(AbstractDcLead, ATargetStaysWithinWhatEitherGainAllowsWhereNobodyKnowsWhichIsInForce)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    open(3, &dialectF);
+    for (const auto &[p, expected] : {std::pair{3000, "067#010A000000"}, {5, "067#0180020000"}}) { // 10 and 640
+        gains("velocity", 50, 0);
+        SetPointStream stream(*device, clock);
+        ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 10.0), 60s));
+        clock.advance(500ms);
+        sent.clear();
+        {
+            auto given = device->write(index("velocity.p"), p);
+            given.start();
+            ASSERT_FALSE(sentOf("0CB").empty());
+            ASSERT_FALSE(given.isFinished());
+        }
+        ASSERT_FALSE(device->parameters().entry(index("velocity.p")).raw);
+        ASSERT_TRUE(stream.update(setPoint(Mode::Velocity, 5000.0)));
+        sent.clear();
+        clock.advance(500ms);
+        EXPECT_FALSE(sentOf("067#").empty());
+        for (const std::string &order : sentOf("067#"))
+            EXPECT_EQ(order, expected);
+        stream.stop();
+        clock.advance(1s);
+    }
+}
+
+TEST_F(AbstractDcLead, AGainThatIsRaisedTooFarLeavesAllThatWereOrderedWithItUnwritten)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 600.0), 60s));
+    clock.advance(500ms);
+    sent.clear();
+    NoProgress unseen;
+    const auto outcomes
+        = test::run(clock, writeParameters(*device, {{index("velocity.d"), 1}, {index("velocity.p"), 54}}, unseen));
+    ASSERT_TRUE(outcomes);
+    ASSERT_EQ(outcomes->size(), 1U);
+    ASSERT_FALSE(outcomes->front().raw);
+    EXPECT_EQ(outcomes->front().raw.error().fault, Fault::Unsafe);
+    EXPECT_TRUE(sentOf("0CB").empty());
+    stream.stop();
+}
+
 /// The drive's counter has 32 bits, which last for three hours at this speed.
 TEST_F(AbstractDcLead, AVelocityStaysWhatItIsWhereThePositionWraps)
 {

@@ -85,6 +85,18 @@ TEST_F(SupermodifiedZeroNode, NothingIsResetWhileTheStopIsNotAcknowledged)
     EXPECT_GE(position(), before) << "positions are those of before";
 }
 
+TEST_F(SupermodifiedZeroNode, AResetThatOutlivesItsDeviceEndsWithNothing)
+{
+    auto zeroing = device->zeroPosition();
+    zeroing.start();
+    ASSERT_TRUE(bench.clock.runUntil([this] { return bench.count(Command::ResetPosition) > 0; }, 1s));
+    ASSERT_FALSE(zeroing.isFinished());
+    EXPECT_FALSE(device->command(setPoint(Mode::Velocity, 500.0))) << "it is being reset";
+    device.reset();
+    zeroing.cancel();
+    EXPECT_FALSE(zeroing.isValid());
+}
+
 TEST_F(SupermodifiedZeroNode, ThePlotBeginsANewLineAndNoSpeedIsInvented)
 {
     order(setPoint(Mode::Position, 5000.0), 3s);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Who hears of what a device tells of itself: every change for those who record, few for those who show.
 #include "async/virtualclock.h"
+#include "model/heardsince.h"
+#include "support/freezingclock.h"
 #include "support/loosemotor.h"
 
 namespace mb {
@@ -57,6 +59,25 @@ protected:
     int shows = 0;
     std::vector<Instant> records;
 };
+
+TEST(HeardSince, IsOverWhereItWasSilentOrTheComputerSleptForSoLongThatItMayBeAnother)
+{
+    for (const bool sleeps : {false, true}) {
+        for (const Duration time : {exchangeTime - 1ns, exchangeTime}) {
+            test::FreezingClock clock;
+            test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
+            TellingMotor motor{link, clock};
+            HeardSince same(motor);
+            Liveness heard = motor.liveness();
+            heard.heard = sleeps;
+            motor.tell(heard);
+            sleeps ? clock.suspend(time) : clock.freeze(time);
+            heard.heard = true;
+            motor.tell(heard);
+            EXPECT_EQ(same.holds(motor), time < exchangeTime) << sleeps;
+        }
+    }
+}
 
 TEST_F(DeviceStates, APinIsShownTwentyTimesASecondAtMostAndRecordedEachTime)
 {

@@ -184,8 +184,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     }
     const auto feedback = m_logs.feedback(command.loop, command.target);
     const bool hasPassed = m_ours && m_logs.loop() == command.loop && m_logs.hasPassed(now);
-    const double most = std::min(greatestError(parameters(), command.loop, hasPassed, m_probe.most()),
-        greatestError(parameters(), command.loop, hasPassed, m_probe.most(), m_desk.unproven()));
+    const double most = greatestError(parameters(), command.loop, hasPassed, m_probe.most(), m_desk.unproven());
     const Whereabouts::SpeedRange entry = m_logs.entrySpeed();
     const std::int32_t target = command.loop == Loop::Velocity && !hasPassed // README.md#first-pass
         ? m_lead.next(command, setPoint.ramp, entry.middle(), std::max(0.0, most - entry.halfWidth()), now)
@@ -385,20 +384,26 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
 
 Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
 {
-    co_return m_desk.mayWrite(parameters().parameter(index), raw);
-}
-
-Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
-{
-    const Loop loop = loopOf(parameters().parameter(index));
-    if (m_ours && m_logs.loop() == loop) {
+    const Parameter &parameter = parameters().parameter(index);
+    co_await m_desk.mayWrite(parameter, raw);
+    if (const Loop loop = loopOf(parameter); m_ours && m_logs.loop() == loop) {
         const double error = m_logs.hasPassed(clock().now())
             ? std::abs(m_sentTarget - m_logs.feedback(loop, m_sentTarget).value_or(0.0))
             : std::numeric_limits<double>::infinity(); // README.md#first-pass
         const ParameterChange change{index, raw};
-        co_await mayChange(parameters(), change, error, m_probe.most());
+        co_return mayChange(parameters(), change, error, m_probe.most());
     }
-    co_return co_await m_desk.write(parameters().parameter(index), raw);
+    co_return {};
+}
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &parameter = parameters().parameter(index);
+    if (const Loop loop = loopOf(parameter); m_ours && m_logs.loop() == loop) {
+        const ParameterChange change{index, raw};
+        m_probe.limit(greatestError(parameters(), loop, m_logs.hasPassed(clock().now()), m_probe.most(), change));
+    }
+    co_return co_await m_desk.write(parameter, raw);
 }
 
 void Controller::settingsReplaced(bool blank)

@@ -14,6 +14,12 @@ constexpr double furthest = 2147483647.0;
 
 } // namespace
 
+void LeadProbe::limit(double most)
+{
+    m_most = std::min(m_most, most);
+    m_far = false; // what was seen before says nothing of it
+}
+
 void LeadProbe::sent(bool far, Instant now)
 {
     if (far && !m_far)

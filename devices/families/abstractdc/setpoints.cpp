@@ -99,10 +99,13 @@ bool knowsGains(const ParameterStore &known, Loop loop)
 double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown,
     const std::optional<ParameterChange> &change)
 {
-    const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass, change);
-    if (!strength)
-        return unknown;
-    return *strength > 0.0 ? std::floor(safeOutput / *strength) : farthest;
+    const auto with = [&](const std::optional<ParameterChange> &sent) {
+        const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass, sent);
+        if (!strength)
+            return unknown;
+        return *strength > 0.0 ? std::floor(safeOutput / *strength) : farthest;
+    };
+    return std::min(with(std::nullopt), with(change));
 }
 
 Result<void> mayChange(const ParameterStore &known, const ParameterChange &change, double error, double unknown)

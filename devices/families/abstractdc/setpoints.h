@@ -30,8 +30,8 @@ struct Command {
 /// P, D and divisor of the loop were written, by us or by somebody we heard.
 [[nodiscard]] bool knowsGains(const ParameterStore &known, Loop loop);
 /// The greatest error with which what P and D make of it stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last
-/// written, and `change` after it; `unknown` where nobody knows that (LeadProbe). 0: none does. `hasPassed`: the loop's first pass, which
-/// may be short, is over.
+/// written, whether or not `change` came after it; `unknown` where nobody knows that (LeadProbe). 0: none does. `hasPassed`: the loop's
+/// first pass, which may be short, is over.
 [[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown,
     const std::optional<ParameterChange> &change = {});
 /// Unsafe where the loop, so far from its target, would wrap with that; a weaker one never would. `unknown` as in greatestError().

@@ -8,10 +8,10 @@
 #include "model/family.h"
 
 #include <QScopeGuard>
-#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace mb::supermodified {
 namespace {
@@ -101,7 +101,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
     if (!m_node.dialect)
         return fail(Fault::Unsafe, say("its dialect is not known, so no move can be sent"), say("read it again"));
-    if (m_zeroing)
+    if (!m_zeroing.expired())
         return fail(Fault::Unsafe, say("its position is being reset"), say("try again"));
     if (auto taken = m_motion.command(setPoint); !taken)
         return taken;
@@ -306,8 +306,9 @@ Task<std::vector<FaultRecord>> Controller::clearFaults()
 Task<void> Controller::zeroPosition()
 {
     stop();
-    const QScopedValueRollback<bool> zeroing(
-        m_zeroing, true); // README.md#hang: the reset is sent again when its answer is lost
+    const auto zeroing
+        = std::make_shared<bool>(true); // README.md#hang: the reset is sent again when its answer is lost
+    m_zeroing = zeroing;
     const Instant limit = clock().now() + stopLimit;
     while (!isSeenStopped()) {
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)
@@ -319,7 +320,7 @@ Task<void> Controller::zeroPosition()
         co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
     if (!m_motion.isKnownOff()) // README.md#hang
         co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));
-    const auto zeroes = qScopeGuard([this] { gate().originMoved(); }); // also when nobody knows whether it was
+    const auto zeroes = qScopeGuard(gate().originMover()); // also when nobody knows whether it was
     (void)co_await m_settings.talk(asking(m_node, Command::ResetPosition));
     m_presence.zeroed();
     m_motion.count().zeroed();

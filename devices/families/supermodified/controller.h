@@ -70,8 +70,8 @@ private:
     NodePresence m_presence;
     CodeReports m_codes;
     FollowerStop m_followerStop;
-    bool m_zeroing = false;
-    bool m_energized = false; ///< as onMotion() saw it last
+    std::weak_ptr<bool> m_zeroing; ///< held by zeroPosition(), which may outlive this
+    bool m_energized = false;      ///< as onMotion() saw it last
     Subscription m_linkState;
     Subscription m_identityChanged;
 };
