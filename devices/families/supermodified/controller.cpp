@@ -254,7 +254,7 @@ void Controller::updateLiveness()
 Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
 {
     if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized())
-        co_await m_motion.bounds().checkGain(raw, m_motion.count().error());
+        co_await m_motion.bounds().checkGain(raw, m_motion.applied().value_or(SetPoint()), m_motion.count().error());
     co_await m_settings.mayWrite(index, raw);
     co_return {};
 }
