@@ -64,19 +64,21 @@ Task<void> keepAlive(Console &console, SetPointStream &stream, Duration time, st
     co_return {};
 }
 
-/// Starts what the device keeps, as soon as it has acknowledged it.
+/// Starts what the device keeps, as soon as it has acknowledged it, and waits until it has begun.
 Task<void> release(Console &console, Device &device)
 {
     SetPointStream &stream = console.session().stream(device);
     const Instant limit = console.clock().now() + stopLimit;
-    Result<void> released = fail(Fault::Unsafe, say("the buffered move was not acknowledged"));
-    while (!released && stream.isRunning() && !console.isInterrupted() && console.clock().now() < limit) {
-        auto waiting = keepAlive(console, stream, lookEvery, [] { return false; });
-        co_await std::move(waiting);
+    const Result<void> waiting = fail(Fault::Unsafe, say("the buffered move was not acknowledged"));
+    Result<void> released = waiting;
+    const auto hasBegun = [&] { return released && !device.gate().keepsMove(); };
+    while (!hasBegun() && stream.isRunning() && !console.isInterrupted() && console.clock().now() < limit) {
+        auto looking = keepAlive(console, stream, lookEvery, hasBegun);
+        co_await std::move(looking);
         if (device.gate().kept().state == KeptMove::State::Acknowledged)
             released = console.session().stops().releaseMoves(device);
     }
-    co_return released;
+    co_return released && !hasBegun() ? waiting : released;
 }
 
 /// Whether the shaft stands, by the newest velocity that is younger than the halt.

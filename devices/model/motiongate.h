@@ -19,10 +19,11 @@ struct KeptMove {
         None,
         Sent, ///< whether the device has it, or still the one before it, is not known
         Acknowledged,
-        Stale, ///< stopped before it began: nobody wants it any more, and the device would begin it
+        Released, ///< told to begin it; whether the device has heard that is not known
+        Stale,    ///< stopped before it began: nobody wants it any more, and the device would begin it
     };
     State state = State::None;
-    SetPoint order; ///< while it is acknowledged; sent: what was acknowledged before
+    SetPoint order; ///< while it is acknowledged or released; sent: what was acknowledged before
 };
 
 /// What of this program stands before a motion of a device: STOP that is pressed, an update that runs, a move that the device
@@ -57,13 +58,15 @@ public:
             m_kept.state = m_before;
     }
     void moveAcknowledged(const SetPoint &order) { m_kept = {KeptMove::State::Acknowledged, order}; }
-    /// Its release is on the wire, and nothing is kept any more: what the device begins, where that is known and wanted.
-    std::optional<SetPoint> moveReleased()
+    /// Its release is on the wire; whether there was one that is known and wanted.
+    bool moveReleased()
     {
-        const KeptMove was = std::exchange(m_kept, {});
-        return was.state == KeptMove::State::Acknowledged ? std::optional(was.order) : std::nullopt;
+        if (m_kept.state != KeptMove::State::Acknowledged)
+            return false;
+        m_kept.state = KeptMove::State::Released;
+        return true;
     }
-    /// The device has none any more.
+    /// The device has none any more: it has begun it, or has restarted.
     void forgetMove() { m_kept = {}; }
 
     /// Another number once its positions may count from another place: somebody has zeroed them, or it has restarted.

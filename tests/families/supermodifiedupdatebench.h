@@ -78,7 +78,7 @@ struct SupermodifiedUpdateBench {
         operation.run<UpdateReport>(supermodified::update(*device, written, options, operation),
             [&report](Result<UpdateReport> result) { report = std::move(result); });
         EXPECT_TRUE(loop.runUntil([&] {
-            if (halts && isPowered && via.starts_with("avrdude:usbasp"))
+            if (halts && isPowered)
                 power(!isHeld(operation.status().step.english()));
             if (meanwhile)
                 meanwhile(operation);
@@ -89,7 +89,7 @@ struct SupermodifiedUpdateBench {
         return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
     }
 
-    /// A programmer on the pins keeps the processor in reset.
+    /// A programmer on the pins keeps the processor in reset, and the bootloader is another program.
     [[nodiscard]] static bool isHeld(const std::string &step)
     {
         return step == "Erasing flash" || step == "Writing flash" || step == "Verifying flash";

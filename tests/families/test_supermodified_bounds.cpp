@@ -11,6 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
+using test::buffered;
 using test::ramp;
 using test::setPoint;
 using SupermodifiedBoundsNode = test::OneNode;
@@ -297,6 +298,21 @@ TEST_F(SupermodifiedBoundsNode, AProfileIsWrittenOnceAndTheTableFollows)
     EXPECT_EQ(device->parameters().entry(Bench::index("profile.acceleration")).raw, 3000);
 }
 
+TEST_F(SupermodifiedBoundsNode, AProfileThatWasWrittenSinceStaysAfterAQuestionWithoutAnswer)
+{
+    ASSERT_TRUE(device->command(ramp(500.0, 1200.0, 3000.0)));
+    bench.clock.advance(1s);
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("profile.velocity"), 900)));
+    bench.sent.clear();
+    bench.line.setLoss(1.0);
+    bench.clock.advance(60ms);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::MoveProfiledAbsolute), 1) << "the move is sent once more";
+    EXPECT_EQ(bench.count(Command::ProfileVelocity), 0);
+    EXPECT_EQ(device->parameters().entry(Bench::index("profile.velocity")).raw, 900);
+}
+
 // Steps
 
 TEST_F(SupermodifiedBoundsNode, AStepThatOverflowsIsRefusedAlthoughNobodyReadP)
@@ -340,160 +356,79 @@ TEST(SupermodifiedSteps, WithoutPNoStepIsTaken)
     EXPECT_TRUE(device->command(setPoint(Mode::Position, 10.0)));
 }
 
-// The current limit
-
-TEST(SupermodifiedDuration, TheStoredLimitIsWrittenBackNotTheOneThatADurationLeft)
+TEST(SupermodifiedSteps, AVelocityIsRefusedWhereAMotorThatDoesNotReachItOverflowsItsLoop)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4,dialect=D1");
-    const auto device = bench.connect(4);
-    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current"), 900)));
-    bench.sent.clear();
-    {
-        const Subscription cut = bench.host.traffic().add([&](const Traffic &traffic) {
-            const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
-            if (traffic.direction == Direction::Received && !frames.empty()
-                && frames.back().is(Command::CurrentLimitDuration))
-                bench.line.setLoss(1.0);
-        });
-        EXPECT_FALSE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
-        EXPECT_GT(bench.count(Command::CurrentLimit), 1) << "it tried";
-        bench.line.setLoss(0.0);
+    for (const Mode mode : {Mode::Velocity, Mode::RampVelocity}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,dialect=D2,gains=default");
+        const auto device = bench.connect(4);
+        bench.clock.advance(100ms);
+        bench.sent.clear();
+        for (const SetPoint &order : {setPoint(mode, 270000.0), buffered(setPoint(mode, -270000.0))}) {
+            const auto refused = device->command(order);
+            ASSERT_FALSE(refused) << "4000 times 540000 wraps";
+            EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+            EXPECT_EQ(refused.error().remedy.english(), "at most 268434 counts/s with its P");
+        }
+        bench.clock.advance(100ms);
+        EXPECT_EQ(bench.count(Command::Stop) + bench.count(Command::Start), 0);
+        ASSERT_TRUE(device->command(setPoint(mode, 260000.0)));
+        for (int i = 0; i < 300; ++i) {
+            bench.clock.advance(10ms);
+            ASSERT_GE(node.speed(), 0.0) << "full output is the same way all the time";
+        }
     }
-    bench.clock.advance(1s);
+}
+
+// The current limit (supermodified/README.md#settings)
+
+TEST_F(SupermodifiedBoundsNode, ALimitThatIsOwedIsPutBackThoughTheNodeIsReadAnewOrTheProgramEndedMeanwhile)
+{
+    const auto limit = Bench::index("limit.current");
+    const auto duration = Bench::index("limit.current.duration");
+    for (const bool ended : {false, true}) {
+        for (const std::int64_t next : {7000, 8000}) {
+            ASSERT_TRUE(run(bench.clock, device->write(limit, 900)));
+            bench.sent.clear();
+            {
+                const Subscription cut = bench.host.traffic().add([&](const Traffic &traffic) {
+                    const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+                    if (traffic.direction == Direction::Received && !frames.empty()
+                        && frames.back().is(Command::CurrentLimitDuration))
+                        bench.line.setLoss(1.0);
+                });
+                EXPECT_FALSE(run(bench.clock, device->write(duration, 7000)));
+                EXPECT_GT(bench.count(Command::CurrentLimit), 1) << "it tried";
+                bench.line.setLoss(0.0);
+            }
+            bench.clock.advance(1s);
+            ASSERT_FALSE(device->liveness().restarted);
+            if (ended) {
+                const DeviceProfile kept = device->knowledge().profile();
+                device = bench.connect(4);
+                device->knowledge().setProfile(kept);
+            } else {
+                ASSERT_TRUE(run(bench.clock, device->refresh()));
+            }
+            ASSERT_EQ(run(bench.clock, device->read(limit)).value_or(0), 7000) << "it says the duration";
+            ASSERT_TRUE(run(bench.clock, device->write(duration, next)));
+            node.setPowered(false);
+            bench.clock.advance(1s);
+            node.setPowered(true);
+            bench.clock.advance(2s);
+            EXPECT_EQ(run(bench.clock, device->read(limit)).value_or(0), 900);
+            EXPECT_EQ(run(bench.clock, device->read(duration)).value_or(0), next);
+        }
+    }
+}
+
+TEST_F(SupermodifiedBoundsNode, ALimitThatIsOwedNoMoreIsNotPutBackOverTheOneThatTheNodeHas)
+{
+    DeviceProfile kept;
+    kept.counters = {{"limit.current.owed", 900}, {"limit.current.owed.duration", 7000}};
+    device->knowledge().setProfile(kept);
     ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 8000)));
-    node.setPowered(false);
-    bench.clock.advance(1s);
-    node.setPowered(true);
-    bench.clock.advance(2s);
-    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current"))).value_or(0), 900);
-    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current.duration"))).value_or(0), 8000);
-}
-
-// The judgement itself
-
-/// What a node with these gains may be told, row by row.
-struct SupermodifiedJudgement : testing::Test {
-    [[nodiscard]] std::optional<Fault> profile(Dialect dialect, const SetPoint &order)
-    {
-        node.dialect = dialect;
-        const auto judged = MoveBounds(node, known).checkProfile(order);
-        return judged ? std::nullopt : std::optional(judged.error().fault);
-    }
-    [[nodiscard]] std::optional<Fault> reach(
-        Dialect dialect, Mode mode, double target, std::optional<std::int64_t> position, bool relative = false)
-    {
-        node.dialect = dialect;
-        SetPoint order = setPoint(mode, target);
-        order.relative = relative;
-        MotionCount count;
-        count.started();
-        if (position)
-            count.told(*position);
-        const auto judged
-            = MoveBounds(node, known).checkReach(order, position ? count.stepOf(order, true) : std::nullopt);
-        return judged ? std::nullopt : std::optional(judged.error().fault);
-    }
-    [[nodiscard]] std::optional<double> overrun(Dialect dialect, const SetPoint &order, double distance)
-    {
-        node.dialect = dialect;
-        return MoveBounds(node, known).overrun(order, distance);
-    }
-    Node node;
-    Roster::Entry known;
-};
-
-TEST_F(SupermodifiedJudgement, AProfileIsAsFastAndAsSteepAsTheWidthOfTheDialect)
-{
-    const auto bad = std::optional(Fault::OutOfRange);
-    const std::optional<Fault> good;
-    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46340.0, 65535.0)), good);
-    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46341.0, 65535.0)), bad);
-    EXPECT_EQ(profile(Dialect::D1, ramp(1.0, 46340.0, 65536.0)), bad);
-    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 46340.0, 4294967295.0)), good);
-    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 46341.0, 1.0)), bad);
-    EXPECT_EQ(profile(Dialect::D2, ramp(1.0, 1.0, 4294967296.0)), bad);
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 4294967295.0, 4294967295.0)), good);
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 4294967296.0, 1.0)), bad);
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, -1.0, 1.0)), bad);
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 1.0, -1.0)), bad);
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, NAN, 1.0)), bad);
-    for (const double refused : {0.3, 0.49, 0.99}) { // the device takes 1 or more
-        EXPECT_EQ(profile(Dialect::D3, ramp(1.0, refused, 1.0)), bad) << refused;
-        EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 1.0, refused)), bad) << refused;
-    }
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), good) << "it goes on with what it has";
-}
-
-TEST_F(SupermodifiedJudgement, AMoveThatMayPassItsTargetNeedsAProfileThatIsKnown)
-{
-    const auto unsafe = std::optional(Fault::Unsafe);
-    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
-        known = {};
-        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), unsafe);
-        EXPECT_EQ(profile(dialect, ramp(1.0, 800.0, 0.0)), unsafe);
-        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), unsafe);
-        EXPECT_EQ(profile(dialect, setPoint(Mode::RampVelocity, 1.0)), std::nullopt) << "it has no target";
-        known.profileVelocity = 46340;
-        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), unsafe);
-        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 800.0)), std::nullopt);
-        known.profileAcceleration = 800;
-        EXPECT_EQ(profile(dialect, ramp(1.0, 0.0, 0.0)), std::nullopt);
-        known.profileVelocity = 46341;
-        const auto square = MoveBounds(node, known).checkProfile(ramp(1.0, 0.0, 0.0));
-        EXPECT_EQ(square ? "" : square.error().remedy.english(), "give --velocity, or write a lower profile.velocity");
-    }
-    EXPECT_EQ(profile(Dialect::D3, ramp(1.0, 0.0, 0.0)), std::nullopt);
-}
-
-TEST_F(SupermodifiedJudgement, AStepStaysBelowWhatOverflowsTheLoop)
-{
-    const auto bad = std::optional(Fault::OutOfRange);
-    const auto unsafe = std::optional(Fault::Unsafe);
-    const std::optional<Fault> good;
-    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 1.0, 0), unsafe) << "its P is not known";
-    known.gainP = 2000; // 2^31 / 2000 = 1 073 741.8
-    for (const Dialect dialect : {Dialect::D1, Dialect::D2}) {
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073740.0, 0), good);
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 0), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, -1073740.0, 0), good);
-        EXPECT_EQ(reach(dialect, Mode::Position, -1073741.0, 0), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073740), good);
-        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, 1073741), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, 1573740.0, 500000), good) << "from where it is";
-        EXPECT_EQ(reach(dialect, Mode::Position, 1573741.0, 500000), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473740), good);
-        EXPECT_EQ(reach(dialect, Mode::Position, -600000.0, 473741), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt), unsafe) << "from where";
-        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, std::nullopt, true), unsafe);
-        EXPECT_EQ(reach(dialect, Mode::Position, 0.0, std::nullopt, true), good) << "it is a halt";
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073740.0, 0, true), good);
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 0, true), bad);
-        EXPECT_EQ(reach(dialect, Mode::Position, 1073741.0, 1073741, true), good) << "it counts from the set-point";
-        EXPECT_EQ(reach(dialect, Mode::Position, 5.0, -1073740, true), bad);
-        EXPECT_EQ(reach(dialect, Mode::RampPosition, 1073741.0, 0), good) << "a profile has no step";
-    }
-    EXPECT_EQ(reach(Dialect::D3, Mode::Position, 1e12, 0), good);
-    known.gainP = 0;
-    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2e9, 0), good) << "nothing times nothing";
-    known.gainP = 1;
-    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2147483647.0, 0), good);
-    EXPECT_EQ(reach(Dialect::D1, Mode::Position, 2147483648.0, 0), bad);
-}
-
-TEST_F(SupermodifiedJudgement, AProfiledMoveHasGoneWrongBeyondItsStoppingDistance)
-{
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 1e5), 450.0);
-    EXPECT_EQ(overrun(Dialect::D2, ramp(1e5, 6000.0, 40000.0), -1e5), 450.0);
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 600.0), 300.0) << "it never gets that fast";
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 6000.0, 40000.0), 10.0), 100.0) << "a loop swings";
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 100.0, 0.0), 1e9), std::nullopt) << "its slope is not known";
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 0.0, 100.0), 1e9), std::nullopt) << "its speed is not known";
-    known.profileAcceleration = 40000;
-    known.profileVelocity = 6000;
-    EXPECT_EQ(overrun(Dialect::D1, ramp(1e5, 0.0, 0.0), 1e5), 450.0);
-    EXPECT_EQ(overrun(Dialect::D3, ramp(1e5, 0.0, 0.0), 1e5), std::nullopt);
-    EXPECT_EQ(overrun(Dialect::D1, setPoint(Mode::RampVelocity, 1.0), 1e5), std::nullopt);
+    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current"))).value_or(0), 5000);
 }
 
 } // namespace

@@ -238,9 +238,96 @@ TEST(SupermodifiedRelease, BeginsWhatTheNodeKeepsAlthoughAnotherIsOrderedBehindI
     ASSERT_TRUE(lead->releaseMoves());
     ASSERT_TRUE(member->command(buffered(ramp(5000.0, 800.0, 800.0))));
     bench.clock.advance(500ms);
-    ASSERT_EQ(bench.count(Command::DoMove), 1);
+    ASSERT_EQ(bench.count(Command::DoMove), 3) << "to both, then to each";
     EXPECT_EQ(member->liveness().mode, Mode::Velocity);
     EXPECT_EQ(member->gate().kept().state, KeptMove::State::Acknowledged) << "the one behind it";
+}
+
+SetPoint by(double distance)
+{
+    SetPoint move = setPoint(Mode::Position, distance);
+    move.relative = true;
+    return move;
+}
+
+/// Of the frames that tell to begin the one behind so many others is lost: 0 is that to all.
+void releaseAndLose(Bench &bench, Device &lead, int before)
+{
+    bench.sent.clear();
+    bench.line.setLoss(before == 0 ? 1.0 : 0.0);
+    ASSERT_TRUE(lead.releaseMoves());
+    const auto isSent = [&bench](int frames) {
+        return bench.clock.runUntil([&] { return bench.count(Command::DoMove) >= frames; }, 500ms);
+    };
+    ASSERT_TRUE(isSent(before));
+    bench.line.setLoss(1.0);
+    ASSERT_TRUE(isSent(before + 1));
+    bench.line.setLoss(0.0);
+}
+
+TEST_F(SupermodifiedOrders, AMoveThatIsReleasedBeginsAlthoughTheNodeMissedThatOrRefusedIt)
+{
+    order(buffered(by(1000.0)), 300ms);
+    releaseAndLose(bench, *device, 0);
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(device->gate().keepsMove());
+    EXPECT_GT(node.position(), 20.0) << "within 100 ms";
+    bench.clock.advance(2s);
+    EXPECT_NEAR(node.position(), 1000.0, 20.0);
+    order(buffered(by(500.0)), 300ms);
+    node.disturb("error", 0x43); // what is told to all is dropped silently then
+    ASSERT_TRUE(device->releaseMoves());
+    bench.clock.advance(2s);
+    EXPECT_FALSE(device->gate().keepsMove());
+    EXPECT_NEAR(node.position(), 1500.0, 20.0) << "once";
+    EXPECT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+}
+
+TEST(SupermodifiedRelease, WhatIsReleasedBeginsOnceAlthoughItIsToldTwice)
+{
+    for (const int lost : {0, 1, 2}) {
+        Bench bench;
+        const Simulator &first = bench.add("supermodified:4");
+        const Simulator &second = bench.add("supermodified:5,dialect=D2");
+        const auto lead = bench.connect(4);
+        const auto member = bench.connect(5);
+        for (Device *one : {lead.get(), member.get()})
+            ASSERT_TRUE(one->command(buffered(by(1000.0))));
+        bench.clock.advance(500ms);
+        releaseAndLose(bench, *lead, lost);
+        bench.clock.advance(2s);
+        EXPECT_NEAR(first.position(), 1000.0, 20.0) << lost;
+        EXPECT_NEAR(second.position(), 1000.0, 20.0) << lost;
+        EXPECT_FALSE(lead->gate().keepsMove() || member->gate().keepsMove()) << lost;
+    }
+}
+
+TEST(SupermodifiedRelease, OfWhichANodeNeverHeardIsNotMadeUpForByTheReleaseOfAnother)
+{
+    Bench bench;
+    const Simulator &node = bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    const auto lead = bench.connect(4);
+    const auto member = bench.connect(5);
+    ASSERT_TRUE(lead->command(buffered(by(2000.0))));
+    bench.clock.advance(300ms);
+    bench.sent.clear();
+    bench.line.setLoss(1.0);
+    ASSERT_TRUE(lead->releaseMoves());
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::DoMove) > 1; }, 500ms));
+    EXPECT_EQ(lead->gate().kept().state, KeptMove::State::Released);
+    bench.line.setLoss(0.0);
+    lead->stop();
+    bench.clock.advance(300ms);
+    EXPECT_EQ(lead->gate().kept().state, KeptMove::State::Stale);
+    ASSERT_TRUE(lead->command(setPoint(Mode::Velocity, 0.0)));
+    ASSERT_TRUE(member->command(buffered(by(100.0))));
+    bench.clock.advance(500ms);
+    const auto released = member->releaseMoves();
+    ASSERT_FALSE(released) << "the other would begin its own";
+    EXPECT_EQ(released.error().fault, Fault::Unsafe);
+    bench.clock.advance(500ms);
+    EXPECT_NEAR(node.position(), 0.0, 5.0);
 }
 
 TEST_F(SupermodifiedOrders, AMoveThatWasNeverSentIsNotKeptAfterAStop)
@@ -318,13 +405,6 @@ TEST_F(SupermodifiedOrders, AMoveThatWaitsDoesNotStopTheOneThatRuns)
 
 // A question without answer (supermodified/README.md#restarts)
 
-SetPoint by(double distance)
-{
-    SetPoint move = setPoint(Mode::Position, distance);
-    move.relative = true;
-    return move;
-}
-
 TEST_F(SupermodifiedOrders, ADistanceIsNotMovedOnceMoreAfterAQuestionWithoutAnswer)
 {
     order(by(300.0), 1s);
@@ -360,32 +440,6 @@ TEST_F(SupermodifiedOrders, NothingStartsANodeWhileItsPositionIsReset)
     EXPECT_TRUE(zeroing.result());
     EXPECT_EQ(bench.count(Command::Start), 0);
     EXPECT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
-}
-
-// The current limit (supermodified/README.md#settings)
-
-TEST_F(SupermodifiedOrders, ALimitThatIsOwedIsNotForgottenWhenTheNodeIsReadAnew)
-{
-    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current"), 900)));
-    {
-        const Subscription cut = bench.host.traffic().add([&](const Traffic &traffic) {
-            const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
-            if (traffic.direction == Direction::Received && !frames.empty()
-                && frames.back().is(Command::CurrentLimitDuration))
-                bench.line.setLoss(1.0);
-        });
-        EXPECT_FALSE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
-        bench.line.setLoss(0.0);
-    }
-    bench.clock.advance(1s);
-    ASSERT_FALSE(device->liveness().restarted);
-    ASSERT_TRUE(run(bench.clock, device->refresh()));
-    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
-    node.setPowered(false);
-    bench.clock.advance(1s);
-    node.setPowered(true);
-    bench.clock.advance(2s);
-    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current"))).value_or(0), 900);
 }
 
 } // namespace

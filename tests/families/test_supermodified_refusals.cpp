@@ -9,6 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using test::Bench;
+using test::ramp;
 using test::setPoint;
 using SupermodifiedRefusals = test::OneNode;
 

@@ -163,6 +163,24 @@ TEST(SupermodifiedSearch, TellsHowFarItIsAndCanBeCut)
     EXPECT_LE(again.bench.sent.size(), sent + 7) << "nobody goes on asking";
 }
 
+TEST(SupermodifiedSearch, ARateThatItDoesNotLookAtIsWrittenToNoNode)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    const auto rate = Bench::index("uart.baud");
+    bench.sent.clear();
+    const auto refused = mb::test::run(bench.clock, device->write(rate, 5760));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_EQ(refused.error().detail.english(),
+        "uart.baud: legal is 57600, 115200, 9600, 19200, 38400, 4800, 2400, 1200, 600");
+    EXPECT_EQ(bench.count(Command::Baudrate), 0);
+    for (const int legal : {600, 1200, 2400, 4800, 9600, 19200, 38400, 57600, 115200})
+        EXPECT_TRUE(mb::test::run(bench.clock, device->write(rate, legal))) << legal;
+    EXPECT_EQ(bench.count(Command::Baudrate), 9);
+}
+
 TEST(SupermodifiedSearch, AFixedRateStaysTheOnlyOne)
 {
     Bench bench("sim:serial?bitrate=9600");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The simulated node from outside, with literal frames; SIM = as the vendor's
 // images behaved when they were executed.
+#include "families/supermodified/simulatorcontrol.h"
 #include "families/supermodified/simulatorprofile.h"
 #include "families/supermodifiedbench.h"
 
@@ -215,6 +216,17 @@ TEST(SupermodifiedSimulator, StallsAfterTwoSecondsAndSaysSo)
     talk.clock.advance(1s);
     EXPECT_FALSE(talk.simulator.isOutputOn());
     EXPECT_EQ(talk.answer("55 AA 04 01 6F 00 6F"), bytesOf("55 AA 01 04 FA 01 01 FA"));
+}
+
+TEST(SupermodifiedSimulator, TheProductOfItsIntegralWrapsBeforeItIsDivided)
+{
+    simulation::LoopSettings gains{};
+    gains.p = 1; // lets the sum be up to 65535 times 255
+    gains.i = 2000;
+    simulation::Control control(Dialect::D1, gains);
+    control.restart();
+    EXPECT_LT(control.step(1000000), 0.0);
+    EXPECT_GT(control.step(100000), 0.0) << "2000 times 1100000 is beyond 31 bits";
 }
 
 TEST(SupermodifiedSimulator, ItsStoredGainsStepWell)

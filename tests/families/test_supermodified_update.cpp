@@ -223,15 +223,17 @@ TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
     EXPECT_TRUE(bench.calls().contains("-b 57600 -D -U flash:w:"));
 }
 
-TEST(SupermodifiedUpdate, AProgrammerOnThePinsOfAnotherNodeIsFoundOutByTheOneThatAnswersMeanwhile)
+TEST(SupermodifiedUpdate, AProgrammerThatHasAnotherNodeIsFoundOutByTheOneThatAnswersMeanwhile)
 {
-    SupermodifiedUpdateBench bench;
-    bench.halts = false;
-    bench.standIn("echo 'Writing | ####' >&2; sleep 1\n" + QByteArray(supermodifiedSuccess));
-    const auto report = bench.update("avrdude:usbasp:usb");
-    ASSERT_FALSE(report);
-    EXPECT_EQ(report.error().fault, Fault::BadCheck);
-    EXPECT_NE(report.error().text().find("another unit"), std::string::npos) << report.error().text();
+    for (const std::string programmer : {"usbasp:usb", "arduino:/dev/ttyUSB7"}) {
+        SupermodifiedUpdateBench bench;
+        bench.halts = false;
+        bench.standIn("echo 'Writing | ####' >&2; sleep 1\n" + QByteArray(supermodifiedSuccess));
+        const auto report = bench.update("avrdude:" + programmer);
+        ASSERT_FALSE(report) << programmer;
+        EXPECT_EQ(report.error().fault, Fault::BadCheck);
+        EXPECT_NE(report.error().text().find("another unit"), std::string::npos) << report.error().text();
+    }
 }
 
 TEST(SupermodifiedUpdate, WhatItsMemoryHeldIsUnknownOnceAvrdudeHasBegunHoweverItEnds)

@@ -4,6 +4,7 @@
 
 #include "async/background.h"
 #include "async/virtualclock.h"
+#include "families/supermodified/line.h"
 
 #include <utility>
 
@@ -61,6 +62,23 @@ TEST(SupermodifiedUpdate, ALinkOnAnotherPortThanAvrdudesStaysOpen)
         EXPECT_TRUE(bench.update("avrdude:" + programmer)) << programmer;
         EXPECT_EQ(closed, 0) << programmer;
     }
+}
+
+TEST(SupermodifiedUpdate, TheBootloaderOnItsOwnLineIsNotUsedWhileAnotherNodeHearsIt)
+{
+    const PortFile port;
+    SupermodifiedUpdateBench bench(port.address());
+    bench.standIn(supermodifiedSuccess);
+    Roster &roster = Line::of(bench.host, bench.loop.clock())->roster();
+    roster.note(5, 57600);
+    const auto refused = bench.update("avrdude:arduino:" + port.name());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_NE(refused.error().text().find("node 5 is on this line"), std::string::npos) << refused.error().text();
+    EXPECT_TRUE(bench.calls().isEmpty());
+    EXPECT_TRUE(bench.update("avrdude:usbasp:usb")) << "whose pins are those of one unit";
+    roster.forget(5);
+    EXPECT_TRUE(bench.update("avrdude:arduino:" + port.name()));
 }
 
 TEST(SupermodifiedUpdate, TheNodeIsAskedNothingWhileItIsWrittenAndPolledAgainAfterIt)

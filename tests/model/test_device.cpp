@@ -334,12 +334,13 @@ TEST_F(CommonDevice, AStopLeavesAMoveThatTheDeviceKeepsAndNobodyWantsIt)
         EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Stale);
     }
     EXPECT_FALSE(motor->gate().moveReleased()) << "nobody wants it";
-    EXPECT_FALSE(motor->gate().keepsMove()) << "but it is gone";
     motor->gate().moveSent();
     EXPECT_FALSE(motor->gate().moveReleased()) << "nobody knows whether it has one";
     motor->gate().moveAcknowledged(duty());
-    EXPECT_EQ(motor->gate().moveReleased(), duty());
-    EXPECT_FALSE(motor->gate().keepsMove());
+    EXPECT_TRUE(motor->gate().moveReleased());
+    EXPECT_TRUE(motor->gate().keepsMove()) << "nobody knows whether it has heard that";
+    motor->stop();
+    EXPECT_EQ(motor->gate().kept().state, KeptMove::State::Stale);
 }
 
 TEST_F(CommonDevice, AnOrderWithWhichTheLinkWentForgetsNotItsStop)
@@ -364,7 +365,9 @@ TEST_F(CommonDevice, ARefusedMoveLeavesWhatTheDeviceKept)
     motor->gate().moveAcknowledged(duty());
     motor->gate().moveSent();
     motor->gate().moveRefused();
-    EXPECT_EQ(motor->gate().moveReleased(), duty());
+    EXPECT_TRUE(motor->gate().moveReleased());
+    EXPECT_EQ(motor->gate().kept().order, duty());
+    motor->gate().forgetMove();
     motor->gate().moveSent();
     motor->gate().moveSent(); // the first has no answer
     motor->gate().moveRefused();

@@ -55,7 +55,8 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
                   m_motion.setPosition(raw);
               },
               [this](std::uint8_t levels) { setLiveness(liveness(), statesOf(levels), this->clock().now()); }})
-    , m_settings(*m_line, m_node, parameters(), [this](std::span<const std::uint8_t> codes) { onCodes(codes); })
+    , m_settings(
+          *m_line, m_node, parameters(), knowledge(), [this](std::span<const std::uint8_t> codes) { onCodes(codes); })
     , m_presence(*m_line, m_node, {[this] { m_motion.doubt(); }, [this] { updateLiveness(); }})
     , m_followerStop(*m_line, m_node, [this] { stopping().inherit(this->clock().now()); })
     , m_linkState(link.stateChanged().add([this](LinkState state) {
@@ -254,7 +255,7 @@ void Controller::updateLiveness()
 Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
 {
     if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized())
-        co_await m_motion.bounds().checkGain(raw, m_motion.count().error());
+        co_await m_motion.bounds().checkGain(raw, m_motion.applied().value_or(SetPoint()), m_motion.count().error());
     co_await m_settings.mayWrite(index, raw);
     co_return {};
 }
@@ -262,8 +263,6 @@ Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
 Task<void> Controller::refresh()
 {
     const Interview said = co_await interview(*m_line, m_node);
-    if (m_presence.hasRestarted())
-        m_settings.restarted();
     m_presence.refreshed();
     Identity known = identityOf(m_line->roster(), m_node, said);
     known.name = identity().name;

@@ -25,6 +25,8 @@ public:
     void setAsleep(bool asleep) { m_polls.setPaused(asleep); }
     /// A motor of this or of another node of the line is driven.
     [[nodiscard]] bool isLineDriving() const { return m_line->driven().any(); }
+    /// Another node of the line, as far as it is known.
+    [[nodiscard]] std::optional<int> neighbour() const { return m_line->roster().neighbourOf(m_node.id); }
 
     Task<void> refresh() override;
     Task<bool> store(Progress &progress) override;

@@ -31,7 +31,7 @@ public:
     /// Whether that holds for this node; once.
     [[nodiscard]] bool takeFollowerStop(int node) { return m_followerStops.erase(node) > 0; }
 
-    /// The buffered moves of all nodes of a line begin with one command, so each node is asked before it and told of it.
+    /// The buffered moves of all nodes of a line begin with one command, so each node is asked before it and told once it was sent.
     struct Release {
         bool isBegun = false;
         Result<void> allowed{}; ///< whoever keeps one replaces a success by why it may not begin

@@ -31,6 +31,13 @@ bool hasVectors(const FirmwareImage &image)
     return jmp || rjmp;
 }
 
+/// The port is that of the device's own line.
+bool isOwn(const Device &device, const std::string &port)
+{
+    const QString own = QFileInfo(QString::fromStdString(device.link().address().path)).canonicalFilePath();
+    return !own.isEmpty() && own == QFileInfo(QString::fromStdString(port)).canonicalFilePath();
+}
+
 /// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up, or the port cannot be
 /// opened yet: an adapter may be away for a moment.
 class PortLease : NonCopyable {
@@ -38,7 +45,7 @@ public:
     PortLease(Controller &device, const std::string &port)
         : m_device(device)
         , m_link(device.link())
-        , m_shared(isSame(device.link().address().path, port))
+        , m_shared(isOwn(device, port))
     {
         m_device.setAsleep(true);
         if (m_shared)
@@ -67,11 +74,6 @@ public:
     }
 
 private:
-    static bool isSame(const std::string &path, const std::string &port)
-    {
-        const QString one = QFileInfo(QString::fromStdString(path)).canonicalFilePath();
-        return !one.isEmpty() && one == QFileInfo(QString::fromStdString(port)).canonicalFilePath();
-    }
     Controller &m_device;
     Link &m_link;
     bool m_shared;
@@ -102,7 +104,7 @@ Task<Attempt> runOnce(Controller &device, avrdude::Job job, Progress &progress)
         reading.take(piece.text, piece.complete);
         if (reading.hasBegun() && !had) {
             device.parameters().forgetAll();
-            if (!job.isBootloader()) // which has the line for itself
+            if (device.link().state() == LinkState::Open) // else avrdude has it
                 held.hold([] {});
         }
         if (reading.isVerified())
@@ -157,6 +159,12 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
         return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"),
             say("use a programmer on the pins"));
+    if (const auto other = device.neighbour(); other && job.isBootloader() && isOwn(device, job.port))
+        return fail(Fault::Unsafe,
+            say("node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is "
+                "written",
+                *other),
+            say("take all others off the line and scan it, or use a programmer on the pins"));
     if (device.isLineDriving())
         return fail(Fault::Unsafe, say("a motor is driven on this line"), say("stop it first"));
     return {};

@@ -15,6 +15,11 @@ Error notAcknowledged()
     return {Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again")};
 }
 
+bool isReleased(const MotionGate &gate)
+{
+    return gate.kept().state == KeptMove::State::Released;
+}
+
 } // namespace
 
 Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
@@ -28,13 +33,11 @@ Motion::Motion(Line &line, const Node &node, MotionGate &gate, Events events)
             release.allowed = release.allowed ? mayBegin() : release.allowed;
             return;
         }
-        const bool keptOne = m_gate.keepsMove(); // DoMove is on the wire
-        if (const auto kept = m_gate.moveReleased()) {
-            begun(*kept);
-            m_events.changed();
-        } else if (keptOne) { // nobody knows which
-            m_count.doubted();
-        }
+        if (!m_gate.moveReleased()) // DoMove is on the wire
+            return;
+        m_ticket.reset(); // an order behind it would take the place of what is kept
+        m_step.reset();
+        pump();
     }))
 {
 }
@@ -84,9 +87,14 @@ Result<void> Motion::command(const SetPoint &setPoint)
     return {};
 }
 
+bool Motion::isBusy() const
+{
+    return m_step || !m_orders.empty() || isReleased(m_gate);
+}
+
 void Motion::pump()
 {
-    if (m_step || m_orders.empty() || m_stop.isPending())
+    if (m_step || !isBusy() || m_stop.isPending())
         return;
     m_tries = 0;
     send(nextStep());
@@ -94,6 +102,8 @@ void Motion::pump()
 
 Motion::Step Motion::nextStep() const
 {
+    if (isReleased(m_gate))
+        return Step::Begin;
     const SetPoint &order = m_orders.front();
     const Roster::Entry &known = m_line.roster().entry(m_node.id);
     if (!m_energized && !m_knownOff)
@@ -114,8 +124,8 @@ Motion::Step Motion::nextStep() const
 
 Result<Line::Request> Motion::requestFor(Step step) const
 {
-    const SetPoint &order = m_orders.front();
-    if (step == Step::Start || step == Step::Move) { // the position is known now
+    const SetPoint &order = step == Step::Begin ? m_gate.kept().order : m_orders.front();
+    if (step == Step::Start || step == Step::Move || step == Step::Begin) { // the position is known now
         if (auto reachable = bounds().checkReach(order, m_count.stepOf(order, m_energized)); !reachable)
             return mb::fail(reachable.error());
     }
@@ -123,6 +133,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
     case Step::Stop: return asking(m_node, Command::Stop);
     case Step::Look: return asking(m_node, Command::GetPosition);
     case Step::Start: return asking(m_node, Command::Start);
+    case Step::Begin: return asking(m_node, Command::DoMove);
     case Step::Velocity: return setting(m_node, Command::ProfileVelocity, std::llround(order.velocity));
     case Step::Acceleration: return setting(m_node, Command::ProfileAcceleration, std::llround(order.acceleration));
     case Step::Move: break;
@@ -189,7 +200,7 @@ void Motion::refused(Step step, std::span<const std::uint8_t> codes)
     m_events.codes(kept);
     if (m_failure || m_stop.isPending()) // the listener heard of a stall, or stopped
         return;
-    if (step == Step::Move && kept.back() == code::invalidForState) {
+    if ((step == Step::Move || step == Step::Begin) && kept.back() == code::invalidForState) {
         setEnergized(false);
         fail(say("the device says that the motor is not started; it may have lost its supply"));
     } else if (m_tries < patientTries && m_starts < patientTries) {
@@ -201,7 +212,6 @@ void Motion::refused(Step step, std::span<const std::uint8_t> codes)
 
 void Motion::done(Step step, const Frame &reply)
 {
-    SetPoint &order = m_orders.front();
     switch (step) {
     case Step::Stop:
         m_knownOff = true;
@@ -218,8 +228,14 @@ void Motion::done(Step step, const Frame &reply)
         break;
     case Step::Velocity:
     case Step::Acceleration: stored(step); break;
+    case Step::Begin:
+        if (isReleased(m_gate)) // a restart has taken it otherwise
+            begun(m_gate.kept().order);
+        m_gate.forgetMove();
+        m_events.changed();
+        break;
     case Step::Move:
-        if (order.buffered)
+        if (const SetPoint &order = m_orders.front(); order.buffered)
             m_gate.moveAcknowledged(order);
         else
             begun(order);
@@ -250,7 +266,8 @@ void Motion::begun(const SetPoint &order)
 {
     m_count.began(order);
     m_applied = order;
-    m_applied->buffered = false; // once more it would be kept
+    m_applied->buffered = false;                         // once more it would be kept
+    m_applied->velocity = m_applied->acceleration = 0.0; // what it has by then, which may be another since
     m_run.reset();
     if (!m_count.ofNode())
         return;
@@ -297,7 +314,7 @@ Result<void> Motion::mayBegin() const
         return {};
     if (m_failure)
         return mb::fail(Fault::Unsafe, *m_failure);
-    if (kept.state == KeptMove::State::Sent)
+    if (kept.state == KeptMove::State::Sent || kept.state == KeptMove::State::Released)
         return mb::fail(notAcknowledged());
     if (kept.state == KeptMove::State::Stale)
         return mb::fail(Fault::Unsafe,

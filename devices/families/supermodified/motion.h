@@ -38,7 +38,8 @@ public:
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
     /// Broadcasts DoMove once everything that was commanded has been acknowledged; never after a motion that failed. Begins what other
-    /// nodes of the line keep as well, so all must be ready.
+    /// nodes of the line keep as well, so all must be ready. Each is then asked to begin by its own address, because a broadcast may
+    /// be lost (README.md#buffered); one that has begun has nothing left to begin.
     [[nodiscard]] Result<void> release();
     /// Stops now, and goes on until the node has acknowledged it; across a lost link, too.
     void stop();
@@ -58,7 +59,7 @@ public:
     [[nodiscard]] bool isKnownOff() const { return m_knownOff; }
     [[nodiscard]] bool isStopping() const { return m_stop.isPending(); }
     /// A move was commanded and its acknowledgement is not there.
-    [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
+    [[nodiscard]] bool isBusy() const;
     /// When the last stop was acknowledged.
     [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stop.acknowledgedAt(); }
     /// What it moves by; nothing before its first move has begun.
@@ -68,7 +69,7 @@ public:
     void setPosition(std::int64_t raw);
 
 private:
-    enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
+    enum class Step { Stop, Look, Start, Velocity, Acceleration, Move, Begin };
     [[nodiscard]] Result<void> mayBegin() const;
     void begun(const SetPoint &order);
     void pump();

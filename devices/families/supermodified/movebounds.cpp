@@ -18,10 +18,16 @@ constexpr double surestProfile
 constexpr double leastOverrun = 100.0; ///< ticks that a loop may swing past its target
 constexpr double widest = 4294967295.0;
 constexpr double narrowest = 65535.0;
+constexpr double stallTime = 2.0; ///< D1, D2: seconds until a node whose motor does not follow switches its output off
 
 double farthestWith(std::int64_t p)
 {
     return std::floor(unreachable / static_cast<double>(p)) - 1.0;
+}
+
+Message overflows(double error)
+{
+    return say("the motor may be %1 counts from where its loop holds it, and with this P that overflows", error);
 }
 
 } // namespace
@@ -56,32 +62,45 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
 
 Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const
 {
-    if (setPoint.mode != Mode::Position || !isNarrow() || isHold(setPoint) || m_known.gainP == 0)
+    if (!isNarrow() || isHold(setPoint) || m_known.gainP == 0)
         return {};
-    if (m_known.gainP && !step && setPoint.relative)
+    const auto error = farthest(setPoint, step);
+    if (m_known.gainP && !error && setPoint.relative)
         return fail(Fault::Unsafe,
             say("after a move with a velocity or a profile it is not known from where this distance counts"),
             say("halt it first, or give a position"));
-    if (!m_known.gainP || !step)
+    if (!m_known.gainP || !error)
         return fail(Fault::Unsafe,
             say("its P or its position is not known, so whether this step overflows its loop is not either"),
             say("read gain.p"));
-    const double distance = step->farther();
-    const double farthest = farthestWith(*m_known.gainP);
-    if (std::abs(distance) <= farthest)
+    const double most = farthestWith(*m_known.gainP);
+    if (std::abs(*error) <= most)
         return {};
-    return fail(Fault::OutOfRange, say("a step of %1 counts overflows the loop of this firmware", distance),
-        say("at most %1 with its P: use a profiled mode or several moves", farthest));
+    if (setPoint.mode != Mode::Position)
+        return fail(
+            Fault::OutOfRange, overflows(*error), say("at most %1 counts/s with its P", std::floor(most / stallTime)));
+    return fail(Fault::OutOfRange, say("a step of %1 counts overflows the loop of this firmware", *error),
+        say("at most %1 with its P: use a profiled mode or several moves", most));
 }
 
-Result<void> MoveBounds::checkGain(std::int64_t p, std::optional<MotionCount::Step> error) const
+Result<void> MoveBounds::checkGain(
+    std::int64_t p, const SetPoint &applied, std::optional<MotionCount::Step> error) const
 {
-    if (!isNarrow() || !error || p == 0 || std::abs(error->farther()) <= farthestWith(p))
+    const auto reached = farthest(applied, error);
+    if (!isNarrow() || !reached || p == 0 || std::abs(*reached) <= farthestWith(p))
         return {};
-    return fail(Fault::OutOfRange,
-        say("the motor may be %1 counts from where its loop holds it, and with this P that overflows",
-            error->farther()),
-        say("stop it first"));
+    return fail(Fault::OutOfRange, overflows(*reached), say("stop it first"));
+}
+
+/// What an order can make the error of the loop; nothing where the step is not known that makes it.
+std::optional<double> MoveBounds::farthest(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const
+{
+    switch (isHold(setPoint) ? Mode::Position : setPoint.mode) {
+    case Mode::Velocity:
+    case Mode::RampVelocity: return std::abs(setPoint.target) * stallTime;
+    case Mode::RampPosition: return velocity(setPoint).value_or(fastestProfile) * stallTime;
+    default: return step ? std::optional(step->farther()) : std::nullopt;
+    }
 }
 
 std::optional<double> MoveBounds::velocity(const SetPoint &setPoint) const

@@ -22,11 +22,12 @@ public:
     /// OutOfRange for a velocity or acceleration of the profile that the firmware cannot do, also the velocity that it has; Unsafe for a profiled move whose
     /// profile is not known, because it could not be told whether it passes its target (README.md#passed-target).
     [[nodiscard]] Result<void> checkProfile(const SetPoint &setPoint) const;
-    /// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits (README.md#overflow).
-    /// OutOfRange, or Unsafe when P or the step is not known.
+    /// The loop of D1 and D2 multiplies the error by P in 32 bits (README.md#overflow): an un-profiled move is one step of it, and with
+    /// every other the set-point may run ahead of a motor that does not follow. OutOfRange, or Unsafe when P or the step is not known.
     [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const;
-    /// The same of a P that is written while the motor is driven.
-    [[nodiscard]] Result<void> checkGain(std::int64_t p, std::optional<MotionCount::Step> error) const;
+    /// The same of a P that is written while the motor is driven by this order.
+    [[nodiscard]] Result<void> checkGain(
+        std::int64_t p, const SetPoint &applied, std::optional<MotionCount::Step> error) const;
     /// Settings that it changes for good, targets that it may pass; empty most of the time.
     [[nodiscard]] Message caution(const SetPoint &setPoint) const;
     /// Ticks behind its target from which a profiled move over this distance has gone wrong; nothing where none does.
@@ -37,6 +38,7 @@ private:
     [[nodiscard]] bool isNarrow() const { return m_node.dialect && m_node.dialect != Dialect::D3; }
     [[nodiscard]] std::optional<double> velocity(const SetPoint &setPoint) const;
     [[nodiscard]] std::optional<double> acceleration(const SetPoint &setPoint) const;
+    [[nodiscard]] std::optional<double> farthest(const SetPoint &setPoint, std::optional<MotionCount::Step> step) const;
 
     const Node &m_node;
     const Roster::Entry &m_known;

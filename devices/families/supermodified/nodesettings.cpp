@@ -3,12 +3,37 @@
 
 #include "families/supermodified/parameters.h"
 
-namespace mb::supermodified {
+#include <span>
+#include <string>
 
-NodeSettings::NodeSettings(Line &line, const Node &node, const ParameterStore &known, CodeSink codes)
+namespace mb::supermodified {
+namespace {
+
+constexpr const char *owedLimitKey = "limit.current.owed";
+constexpr const char *owedDurationKey = "limit.current.owed.duration";
+
+/// No scan looks at another rate, so a node that had it would not be found again.
+Result<void> checkRate(std::int64_t rate)
+{
+    std::string legal;
+    for (const std::span<const int> rates : {std::span<const int>(searchRates), std::span<const int>(rareRates)}) {
+        for (const int known : rates) {
+            if (known == rate)
+                return {};
+            legal += (legal.empty() ? "" : ", ") + std::to_string(known);
+        }
+    }
+    return fail(Fault::OutOfRange, say("legal is %1", legal));
+}
+
+} // namespace
+
+NodeSettings::NodeSettings(
+    Line &line, const Node &node, const ParameterStore &known, DeviceKnowledge &kept, CodeSink codes)
     : m_line(line)
     , m_node(node)
     , m_known(known)
+    , m_kept(kept)
     , m_codes(std::move(codes))
 {
 }
@@ -54,6 +79,8 @@ Task<std::int64_t> NodeSettings::read(ParameterIndex index)
 
 Result<Line::Request> NodeSettings::request(Command command, std::int64_t raw) const
 {
+    if (command == Command::Baudrate)
+        MB_TRY_VOID(checkRate(raw));
     Node node = m_node;
     if (!node.dialect && command == Command::ErrorLevel)
         node.dialect = Dialect::D1; // the way out of level 1; D3 refuses the short form
@@ -68,6 +95,21 @@ Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
     co_return {};
 }
 
+NodeSettings::OwedLimit NodeSettings::owedLimit() const
+{
+    const auto kept = [&counters = m_kept.profile().counters](const char *key) {
+        const auto found = counters.find(key);
+        return found == counters.end() ? 0 : found->second;
+    };
+    return {kept(owedLimitKey), kept(owedDurationKey)};
+}
+
+void NodeSettings::owe(const OwedLimit &owed)
+{
+    if (owed != owedLimit())
+        m_kept.setCounters({{owedLimitKey, owed.limit}, {owedDurationKey, owed.duration}});
+}
+
 /// D1 and D2 take the duration for the limit until they restart (README.md#settings), so the limit is put back.
 Task<void> NodeSettings::writeDuration(std::int64_t raw)
 {
@@ -75,14 +117,16 @@ Task<void> NodeSettings::writeDuration(std::int64_t raw)
         co_await writeNumber(Command::CurrentLimitDuration, raw);
         co_return {};
     }
-    if (!m_owedLimit) { // else what it reports is the last duration
-        m_owedLimit = co_await readNumber(Command::GetCurrentLimit);
+    std::int64_t limit = co_await readNumber(Command::GetCurrentLimit);
+    if (const OwedLimit owed = owedLimit(); owed.limit != 0 && owed.duration == limit) {
+        limit = owed.limit;
+        co_await writeNumber(Command::CurrentLimit, limit); // before another duration takes its place
     }
-    const std::int64_t limit = *m_owedLimit;
+    owe({limit, raw});
     co_await writeNumber(Command::CurrentLimitDuration, raw);
     const Result<void> restored = co_await writeNumber(Command::CurrentLimit, limit).attempt();
     if (restored)
-        m_owedLimit.reset();
+        owe({});
     else
         co_return fail(restored.error().fault,
             say("written, but the current limit, which this firmware overwrites with it, could not be put back to %1 "
@@ -144,7 +188,7 @@ void NodeSettings::noteWritten(const Parameter &row, std::int64_t raw)
     switch (row.id) {
     case id::nodeMask: m_line.roster().noteNextMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
     case id::nodeId: m_line.roster().noteNextId(m_node.id, static_cast<int>(raw)); break;
-    case id::currentLimit: m_owedLimit.reset(); break;
+    case id::currentLimit: owe({}); break;
     default: noteRead(row, raw); break;
     }
 }

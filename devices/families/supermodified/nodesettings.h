@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/supermodified/node.h"
+#include "model/deviceknowledge.h"
 #include "model/parameterstore.h"
 
 namespace mb::supermodified {
@@ -11,7 +12,7 @@ namespace mb::supermodified {
 class NodeSettings {
 public:
     /// All outlive it; `codes` gets what the node reports in place of answers.
-    NodeSettings(Line &line, const Node &node, const ParameterStore &known, CodeSink codes);
+    NodeSettings(Line &line, const Node &node, const ParameterStore &known, DeviceKnowledge &kept, CodeSink codes);
 
     /// The node's dialect has it.
     [[nodiscard]] bool offers(ParameterIndex index) const;
@@ -23,10 +24,16 @@ public:
     [[nodiscard]] Task<std::int64_t> write(ParameterIndex index, std::int64_t raw);
     /// One exchange with the node: node.h.
     [[nodiscard]] Task<Frame> talk(Line::Request request);
-    /// The node has restarted, and reports what it stored.
-    void restarted() { m_owedLimit.reset(); }
 
 private:
+    /// The current limit that the node has to store, while it may take this duration for it; beyond this run of the program.
+    struct OwedLimit {
+        std::int64_t limit = 0; ///< 0: none
+        std::int64_t duration = 0;
+        friend bool operator==(const OwedLimit &, const OwedLimit &) = default;
+    };
+    [[nodiscard]] OwedLimit owedLimit() const;
+    void owe(const OwedLimit &owed);
     [[nodiscard]] Result<Line::Request> request(Command command, std::int64_t raw) const;
     [[nodiscard]] Task<void> mayTake(int id);
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);
@@ -38,8 +45,8 @@ private:
     Line &m_line;
     const Node &m_node;
     const ParameterStore &m_known;
+    DeviceKnowledge &m_kept;
     CodeSink m_codes;
-    std::optional<std::int64_t> m_owedLimit; ///< the stored current limit, while the node takes a duration for it
 };
 
 } // namespace mb::supermodified

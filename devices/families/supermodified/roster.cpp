@@ -75,6 +75,12 @@ bool Roster::isClaimed(int id, int node) const
     });
 }
 
+std::optional<int> Roster::neighbourOf(int node) const
+{
+    const auto other = std::ranges::find_if(m_nodes, [node](const auto &known) { return known.first != node; });
+    return other == m_nodes.end() ? std::nullopt : std::optional(other->first);
+}
+
 void Roster::forget(int node)
 {
     m_nodes.erase(node);

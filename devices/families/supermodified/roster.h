@@ -41,6 +41,8 @@ public:
     void noteSetting(int node, Command command, std::optional<std::int64_t> raw);
     /// Another node than `node` has this id, or will have it after a restart.
     [[nodiscard]] bool isClaimed(int id, int node) const;
+    /// Any other node.
+    [[nodiscard]] std::optional<int> neighbourOf(int node) const;
     /// It is not there.
     void forget(int node);
 

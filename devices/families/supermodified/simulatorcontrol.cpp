@@ -38,7 +38,7 @@ double Control::step(std::int64_t error)
     const std::int64_t scale = m_dialect == Dialect::D3 ? ticksPerTurn(Dialect::D3) / ticksPerTurn(Dialect::D1) : 1;
     const std::int64_t proportional = m_settings.p * error / scale;
     const std::int64_t derivative = m_settings.d * (error - m_lastError) / scale;
-    const std::int64_t integral = m_settings.i * m_sum / scale / 256;
+    const std::int64_t integral = wrapped(m_settings.i * m_sum / scale) / 256;
     const std::int32_t out = wrapped(proportional + derivative + integral);
     m_lastError = error;
     watchStall(std::abs(error));
