@@ -258,6 +258,7 @@ void TestPlotsPage::theListOfSignalsStaysWhereItIsWhenADeviceComes()
     const int before = list.count();
     comes(3, 2);
     QVERIFY(list.count() > before);
+    QVERIFY(list.currentItem());
     QCOMPARE(list.currentItem()->text(), s("#7 temperature"));
     QCOMPARE(list.itemAt(QPoint())->text(), top);
     const int listed = list.count();
