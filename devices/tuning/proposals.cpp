@@ -33,6 +33,7 @@ constexpr double overshootOfDoubt = 0.02; ///< more than of the model itself, as
 constexpr double lessForRounding = 0.995; ///< where rounding has taken a margin
 constexpr int mostRoundings = 10;
 constexpr double clearSteps = 12.0; ///< of a gain: fewer than ten mean nothing
+constexpr double alikeSteps = 0.01; ///< of the step
 
 double cycleOf(const ProposalBasis &basis)
 {
@@ -128,6 +129,22 @@ Result<ScaledGains> parametersOf(const ProposalBasis &basis, const Design &desig
     return scaled;
 }
 
+/// Before a limit of the current makes it smaller.
+double usualStep(const ProposalBasis &basis, const ContinuousGains &gains)
+{
+    return basis.loop == Mode::Current ? currentStep(basis.plant.gain, basis.envelope)
+                                       : proofStep(basis.loop, basis.plant, gains, basis.envelope);
+}
+
+/// By the rule alone.
+Design ruleFor(const ProposalBasis &basis, const ProposalWish &wish)
+{
+    const MsBounds ms = msBoundsOf(wish);
+    const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, basis.plant));
+    return design(basis.loop, basis.plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
+        boundsOf(basis), ms.model, ms.off);
+}
+
 } // namespace
 
 double currentStep(double stall, const Envelope &envelope)
@@ -168,9 +185,7 @@ Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
     const LoopShape shape = shapeOf(basis);
     proposal.margins = marginsOf(basis.loop, plant, gains);
     proposal.profile = profileOf(basis);
-    proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
-        : step > 0.0                            ? step
-                                                : proofStep(basis.loop, plant, gains, basis.envelope);
+    proposal.step = step > 0.0 && basis.loop != Mode::Current ? step : usualStep(basis, gains);
     const double seconds = secondsOfPrediction(basis);
     proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
     const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
@@ -188,19 +203,15 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const Family &family = basis.family;
     const PlantModel &plant = basis.plant;
     const MsBounds ms = msBoundsOf(wish);
-    const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
     Proposal proposal;
     proposal.aim = wish.aim;
     SearchTask task{boundsOf(basis), ms.model, ms.off, wish.step, overshootOf(basis.loop, wish), wish.aim == Aim::Calm,
         inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
-    proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
-        task.bounds, ms.model, ms.off);
+    proposal.design = ruleFor(basis, wish);
     const bool rules = wish.response || wish.ms || (basis.loop == Mode::Current && wish.aim == Aim::Calm);
     if (!rules) {
         if (task.step == 0.0)
-            task.step = basis.loop == Mode::Current
-                ? currentStep(plant.gain, basis.envelope)
-                : proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
+            task.step = usualStep(basis, proposal.design.gains);
         task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;
@@ -271,9 +282,17 @@ double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, c
 
 Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal)
 {
-    MB_TRY(auto parameters, parametersOf(basis, proposal.design));
-    proposal.gains = std::move(parameters);
+    MB_TRY_VOID(finish(basis, usualStep(basis, ruleFor(basis, {proposal.aim, {}, {}}).gains), proposal));
     return proposal;
+}
+
+bool isAlikeWithin(const Envelope &limits, const ProposalBasis &basis, const ContinuousGains &gains)
+{
+    ProposalBasis other = basis;
+    other.envelope = limits;
+    const double step = usualStep(basis, gains);
+    return limits.duty == basis.envelope.duty && limits.current == basis.envelope.current
+        && std::abs(usualStep(other, gains) - step) <= alikeSteps * step;
 }
 
 Task<std::vector<Result<Proposal>>> designed(Device &device, ProposalBasis basis, std::vector<ProposalWish> wishes)

@@ -66,9 +66,13 @@ struct FormerProposal {
 [[nodiscard]] double promisedError(
     const ProposalBasis &basis, const ContinuousGains &gains, const LoopShape &shape, double step);
 
-/// The same gains as parameters of the basis' axis and slot, with the help against friction and the bounds that go with them. Nothing
-/// is designed anew: microseconds.
+/// The same gains as parameters of the basis' axis and slot, with the help against friction and the bounds that go with them, and what
+/// they will do in the step that the basis' limits leave. Nothing is searched: under 16 ms.
 [[nodiscard]] Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal);
+
+/// These limits in place of the basis' leave sets like one with these gains as they are: they make the same step, to a hundredth, with the
+/// same duty and current.
+[[nodiscard]] bool isAlikeWithin(const Envelope &limits, const ProposalBasis &basis, const ContinuousGains &gains);
 
 /// Several at once, each as proposalFor() has it, in the background of the device's link where it has one (aside.h).
 [[nodiscard]] Task<std::vector<Result<Proposal>>> designed(

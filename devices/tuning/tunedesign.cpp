@@ -66,6 +66,7 @@ Task<void> TuneDesign::propose()
 {
     TuneReport &report = m_run.report();
     report.taking = taking();
+    report.envelope = m_run.envelope();
     std::vector<ProposalWish> wishes;
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
         wishes.push_back(wishFor(aim));

@@ -57,6 +57,7 @@ struct TuneReport {
     VelocityTaking taking;           ///< of a velocity loop
     std::vector<Gate> gates;
     std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
+    Envelope envelope;               ///< in force, that they were found for
     std::optional<Design> design;
     ScaledGains proposed;
     std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter

@@ -43,6 +43,7 @@ TEST(Proposals, AreThoseOfTheEngineWithoutADevice)
     ASSERT_TRUE(report) << report.error().text();
     ASSERT_EQ(report->proposals.size(), 3U);
     ProposalBasis basis = basisOf(bench);
+    EXPECT_EQ(report->envelope.speed, basis.envelope.speed);
     basis.plant = report->plant;
     basis.taking = report->taking;
     for (const Proposal &proposed : report->proposals) {
@@ -54,6 +55,30 @@ TEST(Proposals, AreThoseOfTheEngineWithoutADevice)
     for (const int slot : {0, 1}) {
         basis.slot = slot;
         EXPECT_EQ(proposalFor(basis, {})->gains.rows.front().key, slot == 0 ? "slot0.p" : "slot1.p");
+    }
+}
+
+/// Whatever was searched for under the limits of before.
+TEST(Proposals, WithinOtherLimitsMakeTheStepOfOnesThatAreFoundThere)
+{
+    const ExperimentBench bench("sim:can", "dmc60c", 5);
+    for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+        const ProposalBasis wide = basisOf(bench, loop);
+        ProposalBasis narrow = wide;
+        narrow.envelope.speed = 100'000.0;
+        narrow.envelope.duty = 0.5;
+        const auto found = proposalFor(wide, {});
+        const auto there = proposalFor(narrow, {});
+        ASSERT_TRUE(found && there);
+        const auto moved = movedTo(narrow, *found);
+        ASSERT_TRUE(moved);
+        EXPECT_EQ(moved->gains.made, found->gains.made);
+        EXPECT_EQ(moved->step, there->step);
+        EXPECT_NE(moved->step, found->step);
+        EXPECT_FALSE(isAlikeWithin(wide.envelope, narrow, found->gains.made));
+        narrow.envelope = wide.envelope;
+        narrow.envelope.travel = 1.001 * *wide.envelope.travel;
+        EXPECT_TRUE(isAlikeWithin(wide.envelope, narrow, found->gains.made));
     }
 }
 

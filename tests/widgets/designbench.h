@@ -6,6 +6,9 @@
 #include "widgets/design/designpage.h"
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
+#include "widgets/design/tuningsteps.h"
+
+#include <QLabel>
 
 namespace mb::test {
 
@@ -32,6 +35,7 @@ inline tuning::TuneReport identified()
     report.motor->pushes.tauError = 0.004;
     report.motor->pushes.delayError = 0.002;
     report.plant = {350000.0, 0.12, 0.03, 0.02};
+    report.envelope = dmc60c().trials->bench;
     report.gates = {{"fit", say("the fit leaves 1.1 of what whole counts explain"), true}};
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
         Proposal proposal;
@@ -79,5 +83,14 @@ struct DesignBench {
     [[nodiscard]] OwnProposal *own() { return page->findChild<OwnProposal *>(); }
     [[nodiscard]] QList<ProposalCard *> cards() { return page->findChildren<ProposalCard *>(); }
 };
+
+/// What is said to come, or what came.
+inline QString courseOf(const DesignBench &bench)
+{
+    QStringList words;
+    for (const QLabel *label : bench.page->findChild<TuningSteps *>()->findChildren<QLabel *>())
+        words << label->text();
+    return words.join(QLatin1Char('|'));
+}
 
 } // namespace mb::test

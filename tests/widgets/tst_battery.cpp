@@ -5,6 +5,7 @@
 #include "widgets/plots/curveplot.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QTableWidget>
 #include <QTest>
 
@@ -58,6 +59,8 @@ class TestBattery : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void nothingMovesBeforeItIsArmedAndStarted();
+    void whatIsShownIsWhatIsRun();
+    void theKeyThatOpenedItIsHeldAndStartsNothing();
     void tenStepsFollowEachOtherAndTheWorstStandsBelow();
     void aStopEndsItAndSaysSo();
     void aMotorThatIsNotSeenToStandEndsIt();
@@ -73,6 +76,41 @@ void TestBattery::nothingMovesBeforeItIsArmedAndStarted()
     bench.arming.arm({1});
     QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
     bench.dialog.run();
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(1));
+}
+
+void TestBattery::whatIsShownIsWhatIsRun()
+{
+    BatteryBench bench;
+    bench.arming.arm({1});
+    tuning::ExperimentPlan other = largest();
+    other.to = 80'000.0;
+    bench.offer.battery = tuning::batteryOf(other, 0.0, false);
+    const QString before = bench.dialog.words();
+    bench.dialog.run();
+    QVERIFY2(bench.workbench.given<orders::RunTrial>().empty(), "nobody has seen it");
+    QVERIFY(bench.dialog.words() != before);
+    bench.offer.motor = QStringLiteral("QuadQuad2Drv #0 · Axis 2");
+    bench.dialog.followOffer();
+    QVERIFY(bench.dialog.windowTitle().contains(bench.offer.motor));
+    bench.dialog.run();
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.to, 16'000.0);
+    bench.finish(0.02, "speed");
+    const QString ending = bench.dialog.words();
+    bench.offer.battery = tuning::batteryOf(largest(), 0.0, false);
+    bench.dialog.followOffer();
+    QCOMPARE(bench.dialog.words(), ending);
+    QCOMPARE(bench.dialog.trials().size(), std::size_t(1));
+}
+
+void TestBattery::theKeyThatOpenedItIsHeldAndStartsNothing()
+{
+    BatteryBench bench;
+    bench.arming.arm({1});
+    QApplication::setActiveWindow(&bench.dialog);
+    QTest::simulateEvent(&bench.dialog, true, Qt::Key_F7, Qt::NoModifier, {}, true);
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
+    QTest::keyClick(&bench.dialog, Qt::Key_F7);
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(1));
 }
 

@@ -11,6 +11,7 @@ class TestDerivedSignals : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void goesOnWhereItsDeviceBeginsAnew();
+    void isMarkedAndTimedAsWhatItIsMadeOf();
     void staysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber();
     void followsAUnitThatGetsAnotherNumber();
     void namesNeitherOfTwoUnitsByANumberThatBothHave();
@@ -40,6 +41,34 @@ void TestDerivedSignals::goesOnWhereItsDeviceBeginsAnew()
     bench.workbench.publish();
     bench.pass(0.1, 60000.0);
     QTRY_COMPARE(bench.trace("twice").source->telemetry().size({0}), std::size_t{50});
+}
+
+void TestDerivedSignals::isMarkedAndTimedAsWhatItIsMadeOf()
+{
+    PlotBench bench;
+    LinkView link;
+    link.address = link.name = bench.workbench.device(0).link;
+    link.simulated = true;
+    bench.workbench.shot.links = {link};
+    bench.pass(1.0, 60000.0);
+    QVERIFY(bench.board().addDerived(s("twice"), s("counts/s"), s("2 * d5_velocity")));
+    while (bench.board().traces().size() > 1)
+        bench.board().choose(Signal(bench.board().traces().front().signal), false);
+    QCOMPARE(bench.board().traces().front().style.name, s("twice"));
+    QCOMPARE(bench.stack().strips().watermark(), s("DEMO"));
+    bench.workbench.shot.links[0].simulated = false;
+    bench.workbench.shot.links[0].replay = ReplayState();
+    bench.workbench.shot.links[0].time = bench.workbench.time - std::chrono::hours(24);
+    bench.workbench.device(1).link = "socketcan:can0";
+    bench.workbench.publish();
+    QCOMPARE(bench.board().link(), link.address);
+    QVERIFY(bench.board().present() == bench.workbench.shot.links[0].time);
+    bench.page->addSignal({{2}, channel("velocity")});
+    QCOMPARE(bench.stack().strips().watermark(), s("REPLAY"));
+    const auto &rows = bench.page->findChild<TraceList *>()->rows();
+    QCOMPARE(rows.size(), std::size_t{2});
+    QVERIFY2(
+        !rows[0].source.contains(s("another")) && rows[1].source.contains(s("another")), qPrintable(rows[1].source));
 }
 
 void TestDerivedSignals::staysWithItsDeviceThoughAnotherLinkHasOneOfTheSameNumber()

@@ -10,7 +10,6 @@
 #include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
 #include "widgets/design/sweeppanel.h"
-#include "widgets/design/tuningsteps.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/plots/curveplot.h"
 
@@ -436,12 +435,7 @@ void TestDesignPage::whatWillHappenIsSaidBeforeAndWhatCameOfItAfter()
     bench.arm();
     bench.page->identify();
     bench.finish(identified());
-    const auto said = [&] {
-        QStringList words;
-        for (const QLabel *label : bench.page->findChild<TuningSteps *>()->findChildren<QLabel *>())
-            words << label->text();
-        return words.join(QLatin1Char('|'));
-    };
+    const auto said = [&] { return courseOf(bench); };
     QVERIFY2(said().contains(QStringLiteral("Write P, I to slot 1|")), qPrintable(said()));
     QVERIFY2(said().contains(QStringLiteral("Run 4 steps of 60")), qPrintable(said()));
     QVERIFY2(!said().contains(QStringLiteral("measured:")), qPrintable(said()));

@@ -2,6 +2,7 @@
 // What devices tell of their limits and pins stands where one looks: list, line, card, and under the line on Tune.
 #include "parameterbench.h"
 #include "support/windowtests.h"
+#include "tunebench.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
@@ -19,6 +20,8 @@ private Q_SLOTS:
     void aLimitThatHoldsIsSaidEverywhere();
     void aHaltIsNoAlert();
     void pinsChangeWhatIsDrawn();
+    void thePinsAreThoseOfTheAxisThatIsSelected();
+    void aMoveThatIsKeptIsSaidWithItsGlyph();
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
     void unitsAreThoseOfTheDevice();
     void aNameThatIsTheFamilysLeavesItsRoomToTheFirmware();
@@ -41,6 +44,24 @@ StateIndex state(const char *key)
 {
     return findState(dmc60c().states, key).value();
 }
+
+/// Whether something is painted from now on.
+class Painted : public QObject {
+public:
+    Painted(QWidget &part, bool &seen)
+        : m_seen(seen)
+    {
+        part.installEventFilter(this);
+    }
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        m_seen = m_seen || event->type() == QEvent::Paint;
+        return false;
+    }
+
+private:
+    bool &m_seen;
+};
 
 bool shows(const QWidget &part, const QString &words)
 {
@@ -109,6 +130,41 @@ void LiveStatesTest::pinsChangeWhatIsDrawn()
     QVERIFY(bar.grab().toImage() != off);
     QVERIFY(bar.accessibleDescription().contains(QStringLiteral("Encoder pin A: on")));
     QVERIFY(bar.accessibleDescription().contains(QString::fromUtf8("Encoder pin B: –")));
+}
+
+void LiveStatesTest::thePinsAreThoseOfTheAxisThatIsSelected()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(boardAt("sim:spi"));
+    selection.select({2}, 1);
+    LiveStateBar bar(workbench, selection, m_theme);
+    bar.setWanted(true);
+    bar.resize(1100, bar.height());
+    const QImage first = bar.grab().toImage();
+    QCoreApplication::processEvents();
+    bool painted = false;
+    const Painted watch(bar, painted);
+    selection.select({2}, 3);
+    QTRY_VERIFY(painted);
+    QVERIFY(bar.grab().toImage() != first);
+}
+
+void LiveStatesTest::aMoveThatIsKeptIsSaidWithItsGlyph()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    selection.select({1});
+    LiveStateBar bar(workbench, selection, m_theme);
+    bar.setWanted(true);
+    QVERIFY(!bar.words().contains(QStringLiteral("keeps a move")));
+    workbench.device(0).kept.state = KeptMove::State::Stale;
+    workbench.publish();
+    QVERIFY(bar.words().contains(QStringLiteral("keeps a move")));
+    workbench.device(0).states.set(state("halted"), true);
+    workbench.publish();
+    QCOMPARE(bar.words(), QStringLiteral("keeps a move, halted"));
 }
 
 void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()

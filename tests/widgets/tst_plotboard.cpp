@@ -196,8 +196,8 @@ void TestPlotBoard::theLevelCanBeDragged()
     QMouseEvent move(QEvent::MouseMove, target, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&plot, &move);
     QTest::mouseRelease(&plot, Qt::LeftButton, Qt::NoModifier, target);
-    QVERIFY2(std::abs(bench.page->trigger().bar().setup().level - 10000.0) < 1000.0,
-        QByteArray::number(bench.page->trigger().bar().setup().level));
+    QVERIFY2(std::abs(bench.page->trigger().bar().setup()->level - 10000.0) < 1000.0,
+        QByteArray::number(bench.page->trigger().bar().setup()->level));
 }
 
 void TestPlotBoard::theLevelIsWrittenAsTheLanguageWritesNumbers()
@@ -206,7 +206,7 @@ void TestPlotBoard::theLevelIsWrittenAsTheLanguageWritesNumbers()
     const QLocale before;
     QLocale::setDefault(QLocale(QLocale::German));
     bench.page->trigger().bar().setLevel(-0.25);
-    const double level = bench.page->trigger().bar().setup().level;
+    const double level = bench.page->trigger().bar().setup()->level;
     const auto *field = bench.page->trigger().bar().findChild<NumberField *>();
     const QString written = field ? field->text() : QString();
     QLocale::setDefault(before);

@@ -5,14 +5,17 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/curveplot.h"
 #include "widgets/plots/exportbar.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/tracelist.h"
 #include "widgets/plots/tracepanel.h"
+#include "widgets/plots/triggercontrol.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
@@ -76,6 +79,9 @@ private Q_SLOTS:
     void aDeviceThatGoesTakesItsTraces();
     void nothingIsDrawnWhenNothingIsNew();
     void nothingIsDrawnWhileHidden();
+    void aSpectrumOfWhatStandsStillIsOfWhatIsChosen();
+    void theListOfSignalsStaysWhereItIsWhenADeviceComes();
+    void aTriggerWithoutALevelWaitsForOne();
     void keysPauseAndFit();
     void whatIsVisibleCanBeExported();
     void theButtonExportsAndNothingElse();
@@ -217,6 +223,78 @@ void TestPlotsPage::nothingIsDrawnWhileHidden()
     QCOMPARE(drawn.count(), 0);
     bench.page->show();
     QTRY_VERIFY(drawn.count() > 0);
+}
+
+void TestPlotsPage::aSpectrumOfWhatStandsStillIsOfWhatIsChosen()
+{
+    PlotsBench bench;
+    bench.pass(5.0, 60000.0);
+    PlotView &view = bench.page->stack().view();
+    bench.page->showView(PlotsPage::View::Spectrum);
+    const CurvePlot &spectrum = bench.page->curves(PlotsPage::View::Spectrum);
+    view.setLive(false);
+    QTRY_COMPARE(spectrum.curves().size(), std::size_t{4});
+    bench.page->removeSignal({{1}, channel("duty")});
+    QTRY_COMPARE(spectrum.curves().size(), std::size_t{3});
+    const int points = spectrum.curves().front().x.size();
+    view.setWindow(2.0);
+    QTRY_VERIFY(spectrum.curves().front().x.size() < points);
+}
+
+void TestPlotsPage::theListOfSignalsStaysWhereItIsWhenADeviceComes()
+{
+    PlotsBench bench;
+    QListWidget &list = bench.page->panel().signalList().list();
+    QListWidgetItem *const chosen = list.findItems(s("#7 temperature"), Qt::MatchExactly).first();
+    list.setCurrentItem(chosen);
+    list.scrollToItem(chosen, QAbstractItemView::PositionAtTop);
+    const QString top = list.itemAt(QPoint())->text();
+    QVERIFY(top != list.item(0)->text());
+    const auto comes = [&bench](std::uint32_t id, int address) {
+        auto &devices = bench.workbench.shot.devices;
+        devices.insert(devices.begin(), tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), id, address));
+        bench.workbench.publish();
+    };
+    const int before = list.count();
+    comes(3, 2);
+    QVERIFY(list.count() > before);
+    QVERIFY(list.currentItem());
+    QCOMPARE(list.currentItem()->text(), s("#7 temperature"));
+    QCOMPARE(list.itemAt(QPoint())->text(), top);
+    const int listed = list.count();
+    list.viewport()->setAttribute(Qt::WA_UnderMouse);
+    comes(4, 3);
+    QCOMPARE(list.count(), listed);
+    list.viewport()->setAttribute(Qt::WA_UnderMouse, false);
+    QEvent leaves(QEvent::Leave);
+    QApplication::sendEvent(list.viewport(), &leaves);
+    QVERIFY(list.count() > listed);
+}
+
+void TestPlotsPage::aTriggerWithoutALevelWaitsForOne()
+{
+    PlotsBench bench;
+    bench.pass(1.0, 1000.0);
+    TriggerControl &trigger = bench.page->trigger();
+    trigger.bar().setLevel(500.0);
+    trigger.setOn(true);
+    QVERIFY(trigger.watch().isArmed());
+    auto *const level = trigger.bar().findChild<QLineEdit *>();
+    const auto type = [level](const char *text) {
+        level->setText(s(text));
+        Q_EMIT level->editingFinished();
+    };
+    type("abc");
+    QVERIFY(!trigger.watch().isArmed());
+    QCOMPARE(level->property("state").toString(), s("error"));
+    Q_EMIT trigger.bar().changed(); // as another edge does
+    QVERIFY(!trigger.watch().isArmed() && !bench.page->stack().strips().trigger());
+    bench.page->addSignal({{2}, channel("velocity")});
+    QVERIFY(!trigger.watch().isArmed() && trigger.bar().isVisible());
+    type("700");
+    QVERIFY(trigger.watch().isArmed());
+    QCOMPARE(bench.page->stack().strips().trigger()->level, 700.0);
+    QCOMPARE(level->property("state").toString(), QString());
 }
 
 void TestPlotsPage::keysPauseAndFit()

@@ -5,6 +5,7 @@
 #include "tunebench.h"
 #include "widgets/control/tuneplot.h"
 
+#include <QComboBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -52,6 +53,7 @@ private Q_SLOTS:
     void aUnitThatChangesIsTheUnitThatIsSaid();
     void setPointsOfAnotherModeStayAwayWhenItsMotorIsChosenAgain();
     void itsTableTellsTheTimeOfDayAndWhatIsMissing();
+    void theLengthThatIsSaidIsThatOfTheAxis();
 };
 
 void TunePlotTest::aUnitThatChangesIsTheUnitThatIsSaid()
@@ -109,6 +111,19 @@ void TunePlotTest::itsTableTellsTheTimeOfDayAndWhatIsMissing()
     const auto table = loadRecording(path.toStdString());
     QVERIFY(table);
     QCOMPARE((*table)->telemetry->gaps({0}, Instant::min(), Instant::max()).size(), std::size_t{1});
+}
+
+void TunePlotTest::theLengthThatIsSaidIsThatOfTheAxis()
+{
+    TuneBench bench;
+    PlotView &view = bench.page->plot().stack().view();
+    const auto *const window = bench.find<QComboBox>("Length of the time axis");
+    QVERIFY(window);
+    QCOMPARE(window->currentText(), QStringLiteral("last 10 s"));
+    view.setWindow(30.0);
+    QCOMPARE(window->currentText(), QStringLiteral("last 30 s"));
+    view.zoom(0.2, {});
+    QCOMPARE(window->currentText(), QString());
 }
 
 MB_WINDOW_TEST(TunePlotTest);

@@ -45,12 +45,18 @@ void LiveStateBar::follow()
     setVisible(m_wanted && device && !device->family->states.empty());
     if (isHidden())
         return;
-    const QString conditions = conditionsText(*device).join(QStringLiteral(", "));
-    if (device->id == m_device && device->states == m_shown && conditions == m_conditions)
+    QStringList hold = alertsOf(*device) + conditionsText(*device);
+    hold.removeDuplicates();
+    const QString words = glyphOf(*device) == GlyphState::Gone ? healthOf(*device).words
+        : hold.isEmpty()                                       ? tr("no limit holds")
+                                                               : hold.join(QStringLiteral(", "));
+    const int axis = m_selection.axis();
+    if (device->id == m_device && axis == m_axis && device->states == m_shown && words == m_words)
         return;
     m_device = device->id;
+    m_axis = axis;
     m_shown = device->states;
-    m_conditions = conditions;
+    m_words = words;
     setAccessibleDescription(statesText(*device));
     setToolTip(statesText(*device));
     update();
@@ -79,14 +85,14 @@ void LiveStateBar::paintEvent(QPaintEvent *)
     };
     const bool alert = !alertsOf(*device).isEmpty();
     if (glyphOf(*device) == GlyphState::Gone)
-        put(GlyphState::Gone, theme.outline, healthOf(*device).words, theme.faint);
+        put(GlyphState::Gone, theme.outline, m_words, theme.faint);
     else
-        put(alert ? GlyphState::Warning : GlyphState::Done, alert ? theme.caution : theme.ok,
-            m_conditions.isEmpty() ? tr("no limit holds") : m_conditions, alert ? theme.text : theme.dim);
+        put(alert ? GlyphState::Warning : GlyphState::Done, alert ? theme.caution : theme.ok, m_words,
+            alert ? theme.text : theme.dim);
     for (std::size_t i = 0; i < device->family->states.size(); ++i) {
         const StateRow &row = device->family->states[i];
         const auto level = device->states[StateIndex{static_cast<std::uint16_t>(i)}];
-        if (row.kind == StateKind::Input && isOfAxis(row, m_selection.axis()))
+        if (row.kind == StateKind::Input && isOfAxis(row, m_axis))
             put(level.value_or(false) ? GlyphState::InRam : GlyphState::Gone,
                 level.value_or(false) ? theme.accent : theme.outline, stateLabel(row),
                 level ? theme.text : theme.faint);

@@ -17,6 +17,8 @@ public:
     LiveStateBar(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
     /// Wanted on this page; shown where the device tells something.
     void setWanted(bool wanted);
+    /// What is said of its limits.
+    [[nodiscard]] const QString &words() const { return m_words; }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -32,7 +34,8 @@ private:
     bool m_wanted = false;
     LiveStates m_shown;
     DeviceId m_device;
-    QString m_conditions;
+    int m_axis = 0;
+    QString m_words; ///< of its limits
 };
 
 } // namespace mb

@@ -13,6 +13,7 @@
 #include "widgets/plots/curveplot.h"
 
 #include <QHeaderView>
+#include <QShortcut>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -37,6 +38,18 @@ double sizeOf(const tuning::Trial &trial)
     return trial.stimulus.to - trial.stimulus.from;
 }
 
+QString textOf(const BatteryOffer &offer)
+{
+    if (!offer.whyNot.isEmpty() || offer.battery.steps.empty())
+        return BatteryDialog::tr("Not run: %1").arg(offer.whyNot);
+    const auto &steps = offer.battery.steps;
+    return BatteryDialog::tr(
+        "%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps "
+        "inside the limits of the page.")
+        .arg(steps.size())
+        .arg(formatSignificant(steps.front().to, 4), formatSignificant(steps.back().to, 4), offer.unit);
+}
+
 } // namespace
 
 BatteryDialog::BatteryDialog(
@@ -55,7 +68,8 @@ BatteryDialog::BatteryDialog(
     m_start = new CommandButton(theme, Symbol::Play, tr("Run the battery"), this);
     m_start->setPrimary(true);
     m_start->setKeyHint(QStringLiteral("F7"));
-    m_start->setShortcut(Qt::Key_F7);
+    auto *const key = new QShortcut(Qt::Key_F7, this);
+    key->setAutoRepeat(false); // it may have opened this
     m_start->setAutoDefault(false);
     buildTable();
     m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
@@ -67,6 +81,7 @@ BatteryDialog::BatteryDialog(
     column->addWidget(namesOfWays(theme));
     column->addWidget(m_plot, 3);
     connect(m_start, &QPushButton::clicked, this, &BatteryDialog::run);
+    connect(key, &QShortcut::activated, this, &BatteryDialog::run);
     connect(&arming, &Arming::changed, this, &BatteryDialog::follow);
 }
 
@@ -96,43 +111,50 @@ QWidget *BatteryDialog::namesOfWays(const ThemeSource &theme)
 
 void BatteryDialog::showOffer()
 {
-    if (m_running)
-        return;
-    (void)take(m_offer());
-    follow();
+    if (!m_running)
+        take(m_offer());
 }
 
-bool BatteryDialog::take(BatteryOffer offer)
+void BatteryDialog::followOffer()
 {
-    if (!offer.whyNot.isEmpty()) {
-        say(tr("Not run: %1").arg(offer.whyNot));
-        return false;
-    }
-    m_battery = std::move(offer.battery);
-    m_device = offer.device;
-    m_unit = offer.unit;
+    if (!isVisible() || m_running || words() != textOf(m_now))
+        return;
+    if (BatteryOffer now = m_offer(); !isShown(now))
+        take(std::move(now));
+}
+
+bool BatteryDialog::isShown(const BatteryOffer &offer) const
+{
+    return offer.device == m_now.device && offer.motor == m_now.motor && textOf(offer) == textOf(m_now);
+}
+
+void BatteryDialog::take(BatteryOffer offer)
+{
+    m_now = std::move(offer);
+    say(textOf(m_now));
+    follow();
+    if (!m_now.whyNot.isEmpty())
+        return;
+    setWindowTitle(tr("Battery of steps") + QStringLiteral(" · ") + m_now.motor);
     m_trials.clear();
     m_table->setRowCount(0);
-    QStringList heads{tr("Step, %1").arg(m_unit)};
+    QStringList heads{tr("Step, %1").arg(m_now.unit)};
     for (const std::string_view key : columns) {
         const MetricWord word = metricWord(key);
         heads << (word.unit.isEmpty() ? word.name : word.name + QStringLiteral(", ") + word.unit);
     }
     m_table->setHorizontalHeaderLabels(heads);
     m_plot->setCurves({});
-    const tuning::ExperimentPlan &first = m_battery.steps.front();
-    const tuning::ExperimentPlan &last = m_battery.steps.back();
-    say(tr("%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps "
-           "inside the "
-           "limits of the page.")
-            .arg(m_battery.steps.size())
-            .arg(formatSignificant(first.to, 4), formatSignificant(last.to, 4), m_unit));
-    return true;
 }
 
 void BatteryDialog::run()
 {
-    if (m_running || m_arming.isMoving() || !take(m_offer()) || !m_arming.isArmed(m_device))
+    if (m_running || m_arming.isMoving())
+        return;
+    BatteryOffer now = m_offer();
+    const bool wasShown = isShown(now);
+    take(std::move(now));
+    if (!wasShown || !m_now.whyNot.isEmpty() || !m_arming.isArmed(m_now.device))
         return;
     m_running = true;
     next();
@@ -143,10 +165,10 @@ void BatteryDialog::next()
     const std::size_t done = m_trials.size();
     say(tr("Step %1 of %2: to %3 %4. STOP ends it.")
             .arg(done + 1)
-            .arg(m_battery.steps.size())
-            .arg(formatSignificant(m_battery.steps[done].to, 4), m_unit));
+            .arg(m_now.battery.steps.size())
+            .arg(formatSignificant(m_now.battery.steps[done].to, 4), m_now.unit));
     follow();
-    m_arming.runTrial(m_battery.steps[done], {},
+    m_arming.runTrial(m_now.battery.steps[done], {},
         guarded(this, [this, number = m_arming.armingNumber()](const auto &trial) { ended(trial, number); }));
 }
 
@@ -158,8 +180,8 @@ void BatteryDialog::ended(const Result<tuning::Trial> &trial, std::uint64_t armi
         showCurves();
     }
     const bool good = trial && trial->mayGoOn();
-    const bool whole = m_trials.size() == m_battery.steps.size();
-    if (good && !whole && isVisible() && m_arming.isArmed(m_device) && m_arming.armingNumber() == armingNumber)
+    const bool whole = m_trials.size() == m_now.battery.steps.size();
+    if (good && !whole && isVisible() && m_arming.isArmed(m_now.device) && m_arming.armingNumber() == armingNumber)
         return next();
     m_running = false;
     if (!trial)

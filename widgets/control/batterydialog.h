@@ -20,8 +20,9 @@ class CurvePlot;
 struct BatteryOffer {
     DeviceId device;
     tuning::Battery battery;
-    QString unit;   ///< of the target
-    QString whyNot; ///< it cannot be run; empty: it can
+    QString unit;    ///< of the target
+    QString whyNot;  ///< it cannot be run; empty: it can
+    QString motor{}; ///< its title
 };
 
 /// Steps of several sizes in both directions with the gains in force, one after the other: what will happen before it does, a row for each
@@ -30,12 +31,14 @@ struct BatteryOffer {
 class BatteryDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `offer` is asked when it is shown, and again when it is run: what stands on the page then is what moves the motor.
+    /// `offer` is asked when it is shown, and again when it is run: what stands on the page then is what moves the motor, once it is shown.
     BatteryDialog(Arming &arming, std::function<BatteryOffer()> offer, const ThemeSource &theme, QWidget *parent);
 
     /// Says what it would run; not while it runs.
     void showOffer();
-    /// As if its button was pressed: starts, where the device is armed.
+    /// The page may say something else: shows that, unless it runs or says what came of it.
+    void followOffer();
+    /// As if its button was pressed: starts what is shown, where the device is armed; where the offer is another, shows that instead.
     void run();
     [[nodiscard]] bool isRunning() const { return m_running; }
     [[nodiscard]] const std::vector<tuning::Trial> &trials() const { return m_trials; }
@@ -46,8 +49,8 @@ public:
 private:
     void buildTable();
     QWidget *namesOfWays(const ThemeSource &theme);
-    /// False, with the reason in words, where it cannot be run.
-    bool take(BatteryOffer offer);
+    [[nodiscard]] bool isShown(const BatteryOffer &offer) const;
+    void take(BatteryOffer offer);
     void next();
     void ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber);
     void addRow(const tuning::Trial &trial);
@@ -60,9 +63,7 @@ private:
     Arming &m_arming;
     std::function<BatteryOffer()> m_offer;
     const ThemeSource &m_theme;
-    tuning::Battery m_battery;
-    DeviceId m_device;
-    QString m_unit;
+    BatteryOffer m_now; ///< that is shown
     std::vector<tuning::Trial> m_trials;
     bool m_running = false;
     QLabel *m_words = nullptr;

@@ -2,6 +2,7 @@
 #include "widgets/control/tuneexperiments.h"
 
 #include "experiment/kepttrial.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/batterydialog.h"
 #include "widgets/control/envelopepanel.h"
@@ -73,6 +74,8 @@ void TuneExperiments::follow(const DeviceView &view)
         checkKinds(view);
     const QString fault = stimulus.fault();
     stimulus.setVerdict(fault.isEmpty() && found.good, fault.isEmpty() ? found.words : fault);
+    if (m_battery)
+        m_battery->followOffer();
 }
 
 /// Each kind of stimulus with the values as they are, so that the list says which would leave the envelope. The one that is
@@ -209,6 +212,7 @@ BatteryOffer TuneExperiments::batteryNow() const
     if (!offer.whyNot.isEmpty())
         return offer;
     offer.device = view->id;
+    offer.motor = motorTitle(*view, m_choices.axis());
     offer.battery = tuning::batteryOf(planOf(*view, wish), here.value_or(0.0), view->family->capabilities.zeroPosition);
     const std::string_view unit = unitOf(wish.mode);
     offer.unit = QString::fromUtf8(unit.data(), static_cast<int>(unit.size()));

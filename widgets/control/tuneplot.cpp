@@ -111,7 +111,7 @@ void TunePlot::buildView(QLayout &row)
 {
     m_window = new QComboBox(this);
     for (const double seconds : windows)
-        m_window->addItem(tr("last %1 s").arg(formatNumber(seconds)));
+        m_window->addItem(tr("last %1 s").arg(formatNumber(seconds)), seconds);
     m_window->setCurrentIndex(usualWindow);
     m_window->setAccessibleName(tr("Length of the time axis"));
     m_pause = new IconButton(m_theme, Symbol::Pause, tr("Pause the view"), this);
@@ -128,6 +128,8 @@ void TunePlot::buildView(QLayout &row)
         m_stack->view().setWindow(windows.at(static_cast<std::size_t>(place)));
         m_stack->view().setLive(true);
     });
+    connect(&m_stack->view(), &PlotView::windowChanged, this,
+        [this](double seconds) { m_window->setCurrentIndex(m_window->findData(seconds)); });
     connect(m_pause, &QToolButton::toggled, this, [this](bool paused) { m_stack->view().setLive(!paused); });
     connect(&m_stack->view(), &PlotView::liveChanged, m_pause, [this](bool live) { m_pause->setChecked(!live); });
     connect(cursors, &QToolButton::toggled, this, [this](bool shown) { m_stack->setCursorsShown(shown); });

@@ -107,7 +107,7 @@ void DesignCourse::follow(const DeviceView &view, const OperationView *running, 
     advise(view, chosen);
     const TuningSteps::Ahead ahead{*view.family, *chosen.proposal,
         tuning::courseOf(m_book.basisOf(view, chosen.inForce), *chosen.proposal), m_book.choice().slot,
-        view.family->capabilities.gainSlots, m_book.loop()};
+        view.family->capabilities.gainSlots, m_book.loop(), chosen.isFoundAnew};
     m_steps->show(running, m_book.report(), &ahead, chosen.inForce);
 }
 

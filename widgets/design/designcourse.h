@@ -28,6 +28,7 @@ public:
         const tuning::Proposal *proposal = nullptr;
         QString name;
         Envelope inForce;
+        bool isFoundAnew = false; ///< when it is written
     };
     /// Of the device that is shown; `running` while an order runs.
     void follow(const DeviceView &view, const OperationView *running, const Chosen &chosen);

@@ -238,11 +238,12 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
     m_status->say(now);
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
     const bool works = m_arming.isOnTrial(view.id) && job && job->status.state == OperationStatus::State::Running;
-    if (std::exchange(m_shown, m_book.place()) != m_book.place())
+    if (std::exchange(m_shown, m_book.place()) != m_book.place() || m_proposals->isOutdated())
         showReport();
     else if (std::exchange(m_revision, view.parameterRevision) != view.parameterRevision)
         m_proposals->showChosen(); // beside other gains
-    m_course->follow(view, works ? job : nullptr, {chosen(), m_proposals->chosenName(), m_inForce});
+    m_course->follow(
+        view, works ? job : nullptr, {chosen(), m_proposals->chosenName(), m_inForce, m_proposals->isFoundAnew()});
     m_sweep->follow({m_book.place(), view.family, report(), m_inForce, m_envelope->entered(), now.mayRun});
     m_orders->follow(m_book, *view.family, now.mayRun, chosen());
 }
@@ -252,6 +253,7 @@ void DesignPage::followLimits(const DeviceView &view)
     ExperimentWish pushes;
     pushes.mode = Mode::Duty;
     pushes.axis = m_book.place().axis;
+    pushes.slot = m_book.choice().slot;
     pushes.stimulus.to = checkedDuty;
     pushes.stimulus.seconds = checkedSeconds;
     m_envelope->choose(view.unit, std::exchange(m_limitsOf, view.id) == view.id);

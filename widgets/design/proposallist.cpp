@@ -107,12 +107,26 @@ void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &propo
     m_cards.push_back(card);
 }
 
-/// What the engine proposed; the same gains in another slot.
+bool ProposalList::isOutdated() const
+{
+    const DeviceView *const view = m_book.device();
+    if (!view || !m_book.report() || m_designedFor == m_inForce)
+        return false;
+    const auto isOther = [this, basis = m_book.basisOf(*view, m_inForce)](const tuning::Proposal &proposal) {
+        return !tuning::isAlikeWithin(m_designedFor, basis, proposal.gains.made);
+    };
+    return std::ranges::any_of(m_designed, isOther) || (m_ownDesigned && isOther(*m_ownDesigned));
+}
+
+/// What the engine proposed; the same gains in another slot, or within other limits.
 void ProposalList::designAll(const DeviceView &view)
 {
     const tuning::TuneReport &known = *m_book.report();
     m_designed = known.proposals;
-    if (known.slot != m_book.choice().slot && known.plant.gain > 0.0) {
+    m_designedFor = known.envelope;
+    m_isOfOthers = isOutdated();
+    m_designedFor = m_inForce;
+    if ((m_isOfOthers || known.slot != m_book.choice().slot) && known.plant.gain > 0.0) {
         m_designed.clear();
         const tuning::ProposalBasis basis = m_book.basisOf(view, m_inForce);
         for (const tuning::Proposal &proposal : known.proposals) {
@@ -154,7 +168,9 @@ void ProposalList::showChosen()
         return m_plots.clear();
     const tuning::ProposalBasis basis = m_book.basisOf(*view, m_inForce);
     const std::optional<ComparedGains> &compared = m_comparison.with(*view, basis, *m_book.report(), *proposal);
-    m_comparedWords->setText(compared ? comparedText(*compared) : QString());
+    m_comparedWords->setText(isFoundAnew() ? tr("found for other limits")
+            : compared                     ? comparedText(*compared)
+                                           : QString());
     m_plots.setMeasured(m_book.response());
     m_plots.show(*m_book.report(), {*proposal, chosenName(), compared}, basis);
 }

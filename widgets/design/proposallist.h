@@ -25,9 +25,11 @@ public:
 
     /// The set of the two sliders, below the cards.
     [[nodiscard]] OwnProposal &own() { return *m_own; }
-    /// What a step may use; proposals are designed for it from now on.
+    /// What a step may use.
     void setInForce(const Envelope &inForce) { m_inForce = inForce; }
-    /// Another report, motor or slot.
+    /// What is shown is of limits that are no more in force.
+    [[nodiscard]] bool isOutdated() const;
+    /// Another report, motor or slot, or other limits.
     void showReport();
     /// Of each card.
     void setRoom(CardRoom room);
@@ -39,6 +41,8 @@ public:
     /// nullptr: there is nothing yet.
     [[nodiscard]] const tuning::Proposal *chosen() const;
     [[nodiscard]] QString chosenName() const;
+    /// The cards were found for other limits: what is written of the one that is chosen is found anew.
+    [[nodiscard]] bool isFoundAnew() const { return m_isOfOthers && !m_book.choice().own; }
     [[nodiscard]] QWidget *chosenCard() const;
     [[nodiscard]] const Envelope &inForce() const { return m_inForce; }
 
@@ -56,6 +60,8 @@ private:
     DesignPlots &m_plots;
     const ThemeSource &m_theme;
     Envelope m_inForce;
+    Envelope m_designedFor;
+    bool m_isOfOthers = false;
     std::vector<tuning::Proposal> m_designed;      ///< of the report and slot that are shown
     std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
     std::vector<ProposalCard *> m_cards;

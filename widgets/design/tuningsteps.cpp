@@ -227,10 +227,11 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
     const bool several = ahead.gainSlots > 1;
     const bool proven = report && !report->proof.empty() && tuning::isSameSet(report->proposed, ahead.proposal.gains);
     const QString limits = limitsText(ahead.course.limits);
-    return {{several ? tr("Write %1 to slot %2").arg(written).arg(ahead.course.slot) : tr("Write %1").arg(written),
-                several ? tr("The slot that the result is not for; what it had comes back.")
-                        : tr("What is replaced is kept, to be put back."),
-                {}},
+    std::vector<Step> steps{
+        {several ? tr("Write %1 to slot %2").arg(written).arg(ahead.course.slot) : tr("Write %1").arg(written),
+            several ? tr("The slot that the result is not for; what it had comes back.")
+                    : tr("What is replaced is kept, to be put back."),
+            {}},
         {tr("Run %1 steps of %2 %3")
                 .arg(ahead.course.steps)
                 .arg(formatSignificant(ahead.proposal.step, 4), stepUnit(ahead.loop)),
@@ -238,6 +239,10 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
         {several ? tr("Keep it in slot %1 when all hold").arg(ahead.slot) : tr("Keep it when all hold"), {},
             proven ? limits + QLatin1Char('\n') + tr("measured: %1").arg(measuredText(report->measured)) : limits},
         {tr("Else put everything back"), tr("Gains as before, the reason in the log."), {}}};
+    if (ahead.isFoundAnew)
+        steps.insert(
+            steps.begin(), {tr("Find the gains anew"), {}, tr("Those that are shown were found for other limits.")});
+    return steps;
 }
 
 /// The number of a step stands in a ring.

@@ -175,10 +175,11 @@ void PlotBoard::rebuild()
     bool replayed = false;
     for (Trace &trace : m_traces) {
         dress(trace);
-        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
-        const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
-        simulated = simulated || (link && link->simulated);
-        replayed = replayed || (link && link->replay);
+        for (const DeviceView *device : m_book.devicesOf(trace.signal)) {
+            const LinkView *const link = m_workbench.snapshot().link(device->link);
+            simulated = simulated || (link && link->simulated);
+            replayed = replayed || (link && link->replay);
+        }
     }
     for (Reference &reference : m_kept.references) {
         reference.style.strip = stripOf(reference.pane, reference.style.unit);
@@ -192,8 +193,8 @@ void PlotBoard::rebuild()
 std::string PlotBoard::link() const
 {
     for (const Trace &trace : m_traces) {
-        if (const DeviceView *device = m_workbench.snapshot().device(trace.signal.device))
-            return device->link;
+        if (const std::string link = m_book.linkOf(trace.signal); !link.empty())
+            return link;
     }
     return {};
 }
@@ -263,11 +264,11 @@ void PlotBoard::followRates()
     for (const Trace &trace : m_traces) {
         const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
         const std::size_t place = trace.signal.channel.value;
+        const Instant now = m_workbench.presentOf(m_book.linkOf(trace.signal));
         if (device)
-            trace.source->follow(
-                place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.presentOf(device->link));
+            trace.source->follow(place < device->rates.size() ? device->rates[place] : 0.0, now);
         else if (const auto *derived = m_book.derivedOf(trace.signal))
-            trace.source->follow(derived->signal->telemetry()->rate({0}, present()), present());
+            trace.source->follow(derived->signal->telemetry()->rate({0}, now), now);
         rate += trace.source->rate();
         lost += trace.source->lost();
         all += trace.source->lost() + trace.source->telemetry().size(trace.source->channel());

@@ -161,6 +161,14 @@ void PlotsPage::connectParts()
             draw();
     });
     connect(&m_workbench, &Workbench::changed, this, &PlotsPage::follow);
+    const auto analyseAnew = [this] { // live it comes by itself, and keeps the scale that somebody has chosen
+        if (m_stack->view().isLive())
+            return;
+        m_analysedAt = -1.0;
+        m_drawn = {};
+    };
+    connect(&m_stack->view(), &PlotView::changed, this, analyseAnew);
+    connect(m_board, &PlotBoard::changed, this, analyseAnew);
     connect(m_board, &PlotBoard::changed, this, &PlotsPage::boardChanged);
     connect(&m_layoutBook, &PlotLayoutBook::wasReset, this, [this] {
         m_trigger->disarm();

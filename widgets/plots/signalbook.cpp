@@ -92,6 +92,23 @@ QString SignalBook::nameOf(const Signal &signal) const
     return signalName(*shot.device(signal.device), signal.channel, shot.devices);
 }
 
+std::vector<const DeviceView *> SignalBook::devicesOf(const Signal &signal) const
+{
+    const Derived *const derived = derivedOf(signal);
+    std::vector<const DeviceView *> devices;
+    for (const Signal &one : derived ? derived->inputs : std::vector{signal}) {
+        if (const DeviceView *device = m_workbench.snapshot().device(one.device))
+            devices.push_back(device);
+    }
+    return devices;
+}
+
+std::string SignalBook::linkOf(const Signal &signal) const
+{
+    const auto devices = devicesOf(signal);
+    return devices.empty() ? std::string() : devices.front()->link;
+}
+
 std::vector<SignalBook::Variable> SignalBook::variables() const
 {
     std::vector<Variable> all;

@@ -60,6 +60,10 @@ public:
     [[nodiscard]] const std::deque<Derived> &derived() const { return m_derived; }
     /// nullptr for the channel of a device.
     [[nodiscard]] const Derived *derivedOf(const Signal &signal) const;
+    /// Whose samples it is made of: of a derived one those of its inputs, as far as they are there.
+    [[nodiscard]] std::vector<const DeviceView *> devicesOf(const Signal &signal) const;
+    /// Address of the link of the first of them; empty: none is there.
+    [[nodiscard]] std::string linkOf(const Signal &signal) const;
     /// Nothing, or what is wrong with the name or the formula.
     [[nodiscard]] QString whatIsWrong(const QString &name, const QString &formula) const;
     /// Yields what is wrong with the formula, or the new signal.

@@ -11,7 +11,10 @@
 #include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStyledItemDelegate>
+
+#include <optional>
 
 namespace mb {
 namespace {
@@ -89,6 +92,7 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     m_list->setProperty("rows", QStringLiteral("plain"));
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideRight);
+    m_list->viewport()->installEventFilter(this);
     column->addWidget(m_list, 1);
     auto *derived = linkButton(tr("Derived signal…"), this);
     derived->setToolTip(tr("A formula over signals: derivative, moving average, difference …"));
@@ -113,7 +117,16 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
         return;
     m_shown = shown;
     m_devices = devices;
-    fill();
+    m_isBehind = m_list->viewport()->underMouse();
+    if (!m_isBehind)
+        fill();
+}
+
+bool SignalList::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Leave && m_isBehind)
+        fill();
+    return QWidget::eventFilter(watched, event);
 }
 
 void SignalList::setDerived(const QStringList &names)
@@ -135,10 +148,31 @@ void SignalList::add(const Signal &signal, const QString &name, const QString &u
     item->setCheckState(m_chosen.contains(signal) ? Qt::Checked : Qt::Unchecked);
 }
 
+/// What is the first in sight stays that, and what is current.
 void SignalList::fill()
 {
+    const auto signalAt
+        = [](const QListWidgetItem *item) { return item ? std::optional(signalOf(*item)) : std::nullopt; };
+    const auto current = signalAt(m_list->currentItem());
+    const auto top = signalAt(m_list->verticalScrollBar()->value() > 0 ? m_list->itemAt({}) : nullptr);
     const QSignalBlocker quiet(m_list);
+    m_isBehind = false;
     m_list->clear();
+    refill();
+    QListWidgetItem *first = nullptr;
+    for (int i = 0; i < m_list->count(); ++i) {
+        QListWidgetItem *const item = m_list->item(i);
+        if (signalOf(*item) == current)
+            m_list->setCurrentItem(item);
+        if (signalOf(*item) == top)
+            first = item;
+    }
+    if (first)
+        m_list->scrollToItem(first, QAbstractItemView::PositionAtTop);
+}
+
+void SignalList::refill()
+{
     for (int i = 0; i < m_derived.size(); ++i) {
         if (!m_derived.at(i).isEmpty())
             add({derivedDevice, {static_cast<std::uint16_t>(i)}}, m_derived.at(i), tr("derived"),

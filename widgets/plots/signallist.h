@@ -23,7 +23,7 @@ class SignalList : public QWidget {
 public:
     explicit SignalList(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// Devices may have come or gone.
+    /// Devices may have come or gone: no row moves under the mouse, they are listed once it has left.
     void setDevices(const std::vector<DeviceView> &devices);
     /// Names by place; an empty one is no signal any more.
     void setDerived(const QStringList &names);
@@ -35,15 +35,20 @@ Q_SIGNALS:
     void newDerivedRequested();
     void removeDerivedRequested(int place);
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void itemChanged(QListWidgetItem *item);
     void fill();
+    void refill();
     void add(const Signal &signal, const QString &name, const QString &unit, const QString &hint);
     void showMenu(const QPoint &at);
 
     const ThemeSource &m_theme;
     std::set<Signal> m_chosen;
-    QString m_shown; ///< which devices, as text
+    QString m_shown;         ///< which devices, as text
+    bool m_isBehind = false; ///< they are not listed yet
     std::vector<DeviceView> m_devices;
     QStringList m_derived;
     QListWidget *m_list = nullptr;

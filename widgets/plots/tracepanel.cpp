@@ -16,6 +16,13 @@ namespace {
 
 constexpr int sideWidth = 300;
 
+/// nullptr: what comes of this link is of now.
+const LinkView *replayAt(const Snapshot &shot, const std::string &link)
+{
+    const LinkView *const view = shot.link(link);
+    return view && view->replay ? view : nullptr;
+}
+
 } // namespace
 
 TracePanel::TracePanel(
@@ -115,14 +122,17 @@ QString TracePanel::statisticsOf(const PlotBoard::Trace &trace) const
 void TracePanel::showRows()
 {
     std::vector<TraceList::Row> rows;
+    const Snapshot &shot = m_workbench.snapshot();
     for (const PlotBoard::Trace &trace : m_board.traces()) {
-        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
-        const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
+        const DeviceView *device = shot.device(trace.signal.device);
+        const LinkView *link = device ? shot.link(device->link) : nullptr;
         TraceList::Row row;
         row.id = trace.id;
         row.look = trace.style.look();
         row.name = trace.style.name;
         row.source = link ? QString::fromStdString(link->name) : device ? QString() : tr("derived");
+        if (replayAt(shot, m_board.book().linkOf(trace.signal)) != replayAt(shot, m_board.link()))
+            row.source = tr("%1, of another time").arg(row.source);
         row.rate = tr("%1 Hz").arg(formatNumber(trace.source->rate()));
         row.lost = tr("%1 lost").arg(formatCount(static_cast<qint64>(trace.source->lost())));
         row.lossy = trace.source->lossy();

@@ -89,14 +89,8 @@ void TriggerBar::buildLevel()
 
 void TriggerBar::levelTyped()
 {
-    setStyleProperty(*m_level, "invalid", !hasLevel());
-    if (hasLevel())
-        Q_EMIT changed();
-}
-
-bool TriggerBar::hasLevel() const
-{
-    return parseNumber(m_level->text()).has_value();
+    setStyleProperty(*m_level, "state", setup() ? QString() : QStringLiteral("error"));
+    Q_EMIT changed();
 }
 
 bool TriggerBar::setTraces(const std::vector<Choice> &traces)
@@ -128,11 +122,14 @@ void TriggerBar::choose(int id)
         m_trace->setCurrentIndex(static_cast<int>(found - m_choices.begin()));
 }
 
-TriggerSetup TriggerBar::setup() const
+std::optional<TriggerSetup> TriggerBar::setup() const
 {
+    const std::optional<double> level = parseNumber(m_level->text());
+    if (!level)
+        return std::nullopt;
     TriggerSetup setup;
     setup.kind = kinds.at(static_cast<std::size_t>(m_kind->currentIndex()));
-    setup.level = parseNumber(m_level->text()).value_or(0.0);
+    setup.level = *level;
     setup.before = parts.at(static_cast<std::size_t>(m_before->currentIndex()));
     setup.mode = m_mode->current() == 1 ? TriggerSetup::Mode::Single : TriggerSetup::Mode::Normal;
     return setup;
@@ -144,17 +141,16 @@ void TriggerBar::setLevel(double level)
     const double size = level == 0.0 ? 0.0 : std::floor(std::log10(std::abs(level)));
     const double step = std::pow(10.0, size - 3.0);
     m_level->setText(editText(std::round(level / step) * step, std::clamp(3 - static_cast<int>(size), 0, 9)));
+    setStyleProperty(*m_level, "state", QString());
 }
 
-QString TriggerBar::description(double window) const
+QString TriggerBar::description(const TriggerSetup &setup, double window) const
 {
     const QString sign = m_kind->currentText().section(QLatin1Char(' '), 0, 0);
-    const TriggerSetup now = setup();
-    const bool edge
-        = now.kind == TriggerKind::Rising || now.kind == TriggerKind::Falling || now.kind == TriggerKind::Either;
+    const bool edge = setup.kind != TriggerKind::Above && setup.kind != TriggerKind::Below;
     return tr("trigger %1 %2 %3, %4 before")
-        .arg(edge ? sign : m_kind->currentText(), formatSignificant(now.level, 4), m_unit->text(),
-            formatDuration(window * now.before));
+        .arg(edge ? sign : m_kind->currentText(), formatSignificant(setup.level, 4), m_unit->text(),
+            formatDuration(window * setup.before));
 }
 
 } // namespace mb

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -30,14 +32,14 @@ public:
     bool setTraces(const std::vector<Choice> &traces);
     [[nodiscard]] int trace() const;
     void choose(int id);
-    [[nodiscard]] TriggerSetup setup() const;
+    /// Nothing while what stands in the field is no level.
+    [[nodiscard]] std::optional<TriggerSetup> setup() const;
     void setLevel(double level);
     /// "trigger ↑ 20 A, 0.5 s before"
-    [[nodiscard]] QString description(double window) const;
-    [[nodiscard]] bool hasLevel() const;
+    [[nodiscard]] QString description(const TriggerSetup &setup, double window) const;
 
 Q_SIGNALS:
-    /// Something was chosen: arm anew.
+    /// Something was chosen or typed: arm anew.
     void changed();
     void closed();
 

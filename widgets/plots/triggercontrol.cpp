@@ -23,7 +23,8 @@ void TriggerControl::armOn(int id)
 {
     m_bar->choose(id);
     m_bar->show();
-    if (const auto middle = m_stack.readings().middleOf(id); middle && m_bar->setup().level == 0.0)
+    if (const auto middle = m_stack.readings().middleOf(id);
+        middle && m_bar->setup().value_or(TriggerSetup()).level == 0.0)
         m_bar->setLevel(*middle);
     arm();
 }
@@ -40,7 +41,7 @@ void TriggerControl::setOn(bool on)
 {
     if (!on)
         disarm();
-    else if (!m_watch.isArmed() && !m_board.traces().empty())
+    else if (m_bar->isHidden() && !m_board.traces().empty())
         armOn(m_board.traces().front().id);
 }
 
@@ -50,7 +51,7 @@ void TriggerControl::follow()
     for (const PlotBoard::Trace &trace : m_board.traces())
         choices.push_back({trace.id, trace.signal, trace.style.name, trace.style.unit});
     const bool there = m_bar->setTraces(choices);
-    if (!m_watch.isArmed())
+    if (m_bar->isHidden())
         return;
     if (!there)
         disarm();
@@ -67,15 +68,20 @@ void TriggerControl::arm()
         return disarm();
     Q_EMIT armedChanged(true);
     m_bar->show();
+    const auto setup = m_bar->setup();
+    if (!setup) { // it waits for a level
+        m_watch.disarm();
+        return m_stack.strips().setTrigger({});
+    }
     m_stack.view().setLive(true);
-    m_watch.arm(m_bar->setup(), trace->source, plotKey(m_board.present()));
+    m_watch.arm(*setup, trace->source, plotKey(m_board.present()));
     showLine();
 }
 
 void TriggerControl::showLine()
 {
-    m_stack.strips().setTrigger(
-        PlotTrigger{m_bar->trace(), m_bar->setup().level, m_bar->description(m_stack.view().window())});
+    m_stack.strips().setTrigger(PlotTrigger{
+        m_bar->trace(), m_watch.setup().level, m_bar->description(m_watch.setup(), m_stack.view().window())});
 }
 
 } // namespace mb

@@ -28,6 +28,8 @@ public:
     void arm(const TriggerSetup &setup, std::shared_ptr<const TelemetrySource> source, double now);
     void disarm();
     [[nodiscard]] bool isArmed() const { return m_search.has_value(); }
+    /// That it is armed with.
+    [[nodiscard]] const TriggerSetup &setup() const { return m_setup; }
     /// Armed on this source, in the unit that it has now.
     [[nodiscard]] bool isOn(const TelemetrySource &source) const
     {
