@@ -14,7 +14,7 @@ namespace mb {
 namespace {
 
 constexpr auto resetKey = "reset ";
-constexpr auto mayTurnKey = "may turn";
+constexpr auto mayTurnKey = "may turn ";
 constexpr auto owedKey = "owed ";
 
 QString resetKeyOf(DeviceId device)
@@ -55,11 +55,12 @@ void Conditions::follow()
     followUpdates();
     followOwed();
     if (const QString names = namesThatMayTurn(m_workbench.snapshot()); !names.isEmpty())
-        post(QLatin1String(mayTurnKey), BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
+        post(QLatin1String(mayTurnKey) + names, BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
             tr("Its stop was not confirmed. It is sent again, and first of all when its line is back."),
             tr("I have looked: it stands"));
     if (m_arming.state() == LampState::Stopped)
-        post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
+        post(QStringLiteral("stopped ") + m_arming.reason(),
+            m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."));
     for (const QString &over : before) {
         if (m_standing.count(over) == 0)
@@ -77,7 +78,8 @@ void Conditions::post(const QString &key, BannerKind kind, const QString &cause,
 
 void Conditions::followLink(const LinkView &link)
 {
-    const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
+    const QString key = QStringLiteral("link %1 ").arg(static_cast<int>(link.diagnosis.ailment))
+        + QString::fromStdString(link.address);
     const QString name = QString::fromStdString(link.name);
     if (link.state == LinkState::Lost)
         post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
@@ -90,7 +92,7 @@ void Conditions::followDevice(const DeviceView &device)
 {
     const QString key = QStringLiteral("device %1").arg(device.id.value);
     if (device.liveness.foreignMaster)
-        post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+        post(key + QStringLiteral(" driven"), BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
             tr("Arming is off until it stops sending control frames."));
     else if (device.identity->state == DeviceState::Duplicate)
         post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
@@ -182,7 +184,7 @@ void Conditions::act(const QString &key)
 {
     if (key.startsWith(QLatin1String(owedKey)))
         return settleOwed(key, false);
-    if (key == QLatin1String(mayTurnKey))
+    if (key.startsWith(QLatin1String(mayTurnKey)))
         m_workbench.send(orders::DismissStops{});
     if (!key.startsWith(QLatin1String(resetKey)))
         return;

@@ -28,7 +28,8 @@ private:
     void followReset(const DeviceView &device);
     [[nodiscard]] QString resetTitle(const DeviceView &device, int lost) const;
     void followOwed();
-    /// It stands until a look at everything does not post it.
+    /// It stands until a look at everything does not post it. The key has the cause in it, since what is dismissed is silent: all but
+    /// the numbers that go on by themselves.
     void post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
         const QString &action = {}, const QString &other = {});
     void act(const QString &key);

@@ -21,6 +21,7 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
 {
     LinkStatus chip;
     chip.name = qt(link.name);
+    chip.address = qt(link.address);
     const bool open = link.state == LinkState::Open;
     chip.healthy = open && link.counters.lost == 0 && link.diagnosis.isHealthy();
     chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;

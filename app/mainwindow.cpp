@@ -105,20 +105,23 @@ void MainWindow::buildHeader()
         for (HoldButton *button : findChildren<HoldButton *>())
             button->giveUp();
     });
-    connect(m_header, &HeaderBar::linkActivated, this, [this] { showPage(PageId::Bus); });
+    connect(m_header, &HeaderBar::linkActivated, this, &MainWindow::showFrames);
     connect(m_header, &HeaderBar::linksActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::recordingActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::noticesActivated, this, [this] { showPage(PageId::Log); });
+}
+
+void MainWindow::showFrames(const QString &link)
+{
+    showPage(PageId::Bus);
+    qobject_cast<BusPage *>(page(PageId::Bus))->showLink(link.toStdString());
 }
 
 void MainWindow::buildMenu()
 {
     m_menu = new WindowMenu(m_workbench, m_theme, m_settings, *this);
     m_header->setMenu(&m_menu->menu());
-    connect(m_menu, &WindowMenu::framesOpened, this, [this](const QString &address) {
-        showPage(PageId::Bus);
-        qobject_cast<BusPage *>(page(PageId::Bus))->showLink(address.toStdString());
-    });
+    connect(m_menu, &WindowMenu::framesOpened, this, &MainWindow::showFrames);
     connect(m_menu, &WindowMenu::projectWanted, this, &MainWindow::projectWanted);
     connect(m_menu, &WindowMenu::helpWanted, this, [this](const QString &topic) { (void)m_help->open(topic); });
     // the window itself may be another one then

@@ -72,6 +72,7 @@ private:
     void buildStatus();
     void buildProduction();
     QWidget *makeOverview(QWidget *parent);
+    void showFrames(const QString &link);
     void rename();
     void follow();
     void followInspector();

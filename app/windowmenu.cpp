@@ -62,11 +62,15 @@ void WindowMenu::addTo(PageKeys &keys) const
 
 void WindowMenu::addLink()
 {
-    std::vector<std::string> open;
-    for (const LinkView &link : m_workbench.snapshot().links)
-        open.push_back(link.address);
-    auto *dialog = new AddLinkDialog(linkChoices(m_workbench.listings(), open), m_theme, &m_window);
+    const auto choices = [this] {
+        std::vector<std::string> open;
+        for (const LinkView &link : m_workbench.snapshot().links)
+            open.push_back(link.address);
+        return linkChoices(m_workbench.listings(), open);
+    };
+    auto *dialog = new AddLinkDialog(choices(), m_theme, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(&m_workbench, &Workbench::changed, dialog, [dialog, choices] { dialog->setChoices(choices()); });
     std::vector<std::pair<QString, QString>> lines;
     for (const GpioLineListing &line : gpioLines()) {
         if (!line.used)

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void anUpdateThatMayBeCutIsNotSaidToNeedItsPower();
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
     void aNoticeEndsWithWhatItIsOf();
+    void whatWasDismissedHidesNoOtherCause();
     void gainsThatAreOwedMayBeKeptAsTheyAre();
     void gainsThatAreOwedToAPlaceAreSaidToBeSo();
 };
@@ -122,6 +123,41 @@ void ConditionsTest::aNoticeEndsWithWhatItIsOf()
     notices.workbench.shot.devices.clear();
     notices.follow();
     QCOMPARE(notices.stack.count(), 0);
+}
+
+void ConditionsTest::whatWasDismissedHidesNoOtherCause()
+{
+    Notices notices;
+    const auto dismiss = [&notices] {
+        Q_EMIT notices.standing().dismissed();
+        QCOMPARE(notices.stack.count(), 0);
+    };
+    notices.workbench.device(0).mayTurn = true;
+    notices.follow();
+    dismiss();
+    notices.follow();
+    QCOMPARE(notices.stack.count(), 0);
+    DeviceView second = notices.workbench.device(0);
+    second.id = {2};
+    second.identity.edit().address = 6;
+    notices.workbench.shot.devices.push_back(second);
+    notices.follow();
+    QVERIFY(notices.standing().cause().contains(QStringLiteral("6")));
+    dismiss();
+    LinkView link;
+    link.address = link.name = "can0";
+    link.state = LinkState::Open;
+    for (const Ailment ailment : {Ailment::NobodyAcknowledges, Ailment::Disturbed}) {
+        link.diagnosis = {ailment, say("%1 is error-passive", "can0"), {}, {}};
+        notices.workbench.shot.links = {link};
+        notices.follow();
+        QCOMPARE(notices.stack.count(), 1);
+        dismiss();
+    }
+    notices.workbench.shot.links.front().diagnosis.cause
+        = say("%1 with %2 transmit and %3 receive errors", "can0", 9, 0);
+    notices.follow();
+    QCOMPARE(notices.stack.count(), 0); // a number that goes on by itself is no other cause
 }
 
 void ConditionsTest::gainsThatAreOwedMayBeKeptAsTheyAre()

@@ -78,6 +78,7 @@ private Q_SLOTS:
     void theAddressLineWins();
     void anAddressThatIsNoneIsRefusedInWords();
     void aRecordingAsksForItsFile();
+    void whatIsPluggedInMeanwhileIsListed();
     void everythingHasAName();
     void linesOfThisComputerAreListedWithoutOpeningOne();
     void nothingIsCut_data();
@@ -190,6 +191,33 @@ void AddLinkTest::anAddressThatIsNoneIsRefusedInWords()
             texts += label->text();
     }
     QVERIFY2(texts.join(QLatin1Char('\n')).contains(s("SCHEME:PATH")), qPrintable(texts.join(QLatin1Char('|'))));
+}
+
+void AddLinkTest::whatIsPluggedInMeanwhileIsListed()
+{
+    DialogBench bench;
+    bench.choose(s("A50285BI"));
+    const QString typed = bench.address().text() + s("0");
+    bench.address().setText(typed);
+    auto found = listings();
+    found.insert(found.begin(), found[1]);
+    found.front().link.path = "can7";
+    bench.dialog.setChoices(linkChoices(found, {"sim:can", "socketcan:can1"}));
+    QVERIFY(bench.row(s("can7")));
+    QCOMPARE(bench.row(s("can1"))->text(1), s("open"));
+    QCOMPARE(bench.address().text(), typed);
+    QCOMPARE(bench.dialog.findChild<QTreeWidget *>()->currentItem(), bench.row(s("A50285BI")));
+    found.erase(found.begin() + 3); // the port
+    bench.dialog.setChoices(linkChoices(found, {}));
+    QVERIFY(!bench.row(s("A50285BI")));
+    QCOMPARE(bench.address().text(), typed);
+    QVERIFY(!bench.dialog.findChild<QTreeWidget *>()->currentItem());
+    auto none = linkChoices({}, {});
+    none.resize(1); // a recording, which no address is of
+    AddLinkDialog late(none, bench.theme);
+    QCOMPARE(late.findChild<QLineEdit *>()->text(), QString());
+    late.setChoices(linkChoices(found, {}));
+    QCOMPARE(late.findChild<QLineEdit *>()->text(), s("socketcan:can7"));
 }
 
 void AddLinkTest::aRecordingAsksForItsFile()

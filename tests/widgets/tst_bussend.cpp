@@ -11,6 +11,7 @@ using namespace std::chrono_literals;
 class BusSendTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void init() { QApplication::setDoubleClickInterval(0); }
     void anOrdinaryFrameGoesByAClick();
     void successIsSaidOnlyWhenTheLinkTookIt();
     void aControlFrameNeedsArmingAndAHeldButton();
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void stopEndsARepetitionAndStopsTheMotor();
     void aLostFocusEndsARepetitionThatMovesAMotor();
     void leavingThePageEndsARepetition();
+    void aDoubleClickDoesNotEndTheRepetitionThatItBegan();
     void aLinkThatDoesNotTakeFramesEndsARepetition();
     void typedFramesAreChecked_data();
     void typedFramesAreChecked();
@@ -197,6 +199,17 @@ void BusSendTest::leavingThePageEndsARepetition()
     bench.page->hide();
     QVERIFY(!bench.panel().isRepeating());
     QVERIFY(bench.workbench.given<orders::StopMotion>().empty()); // it moved nothing
+}
+
+void BusSendTest::aDoubleClickDoesNotEndTheRepetitionThatItBegan()
+{
+    BusBench bench;
+    bench.type("123", "00");
+    bench.page->findChild<QCheckBox *>()->setChecked(true);
+    QApplication::setDoubleClickInterval(60'000);
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QVERIFY(bench.panel().isRepeating());
 }
 
 void BusSendTest::aLinkThatDoesNotTakeFramesEndsARepetition()

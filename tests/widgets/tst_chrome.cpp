@@ -29,6 +29,7 @@ class ChromeTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase();
+    void init() { QApplication::setDoubleClickInterval(0); }
     void chipSpeaksItsState();
     void chipsFoldWhenTheHeaderIsNarrow();
     void clickingAChipNamesItsLink();
@@ -49,6 +50,8 @@ private Q_SLOTS:
     void searchFieldLetsEscThrough();
     void cardOpensByEnterAndNotBySpace();
     void primaryButtonIsAsWideAsItsWidestText();
+    void aPressThatWasMeantForTheRoleBeforeIsNone();
+    void aNoticeThatComesUnderThePointerIsNotAnswered();
     void anEmptyPageShowsItsWholeSentence();
 
 private:
@@ -120,13 +123,15 @@ void ChromeTest::chipsFoldWhenTheHeaderIsNarrow()
 void ChromeTest::clickingAChipNamesItsLink()
 {
     HeaderBar header(m_theme);
-    header.setLinks(links(true));
+    auto shown = links(true);
+    shown.at(2).address = QStringLiteral("serial:/dev/ttyUSB0");
+    header.setLinks(shown);
     header.resize(1800, header.height());
     header.show();
     QSignalSpy activated(&header, &HeaderBar::linkActivated);
     header.findChildren<LinkChip *>().at(2)->click();
     QCOMPARE(activated.count(), 1);
-    QCOMPARE(activated.first().first().toString(), QStringLiteral("ttyUSB0"));
+    QCOMPARE(activated.first().first().toString(), shown.at(2).address);
 }
 
 void ChromeTest::everyControlHasAnAccessibleName()
@@ -384,6 +389,54 @@ void ChromeTest::primaryButtonIsAsWideAsItsWidestText()
     const int width = button.sizeHint().width();
     button.setText(QStringLiteral("Write and run"));
     QCOMPARE(button.sizeHint().width(), width);
+}
+
+void ChromeTest::aPressThatWasMeantForTheRoleBeforeIsNone()
+{
+    CommandButton button(m_theme, QStringLiteral("Start"));
+    const QSignalSpy clicked(&button, &QPushButton::clicked);
+    button.show();
+    QApplication::setDoubleClickInterval(60'000);
+    button.setRole(QStringLiteral("Start"));
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QCOMPARE(clicked.count(), 1);
+    button.setRole(QStringLiteral("End"));
+    QCOMPARE(button.accessibleName(), QStringLiteral("End"));
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QTest::mouseDClick(&button, Qt::LeftButton);
+    QCOMPARE(clicked.count(), 1);
+    QApplication::setDoubleClickInterval(1);
+    button.changeRole();
+    QTRY_VERIFY(!button.isFresh());
+    QTest::mouseClick(&button, Qt::LeftButton);
+    QCOMPARE(clicked.count(), 2);
+}
+
+void ChromeTest::aNoticeThatComesUnderThePointerIsNotAnswered()
+{
+    BannerStack stack(m_theme);
+    stack.show();
+    QSignalSpy acted(&stack, &BannerStack::actionTriggered);
+    for (const char *key : {"b", "a"})
+        stack.post(QString::fromLatin1(key), BannerKind::Caution, QString::fromLatin1(key), {}, QStringLiteral("Fix"));
+    const auto click = [&stack](const char *text) {
+        for (QPushButton *button : stack.findChildren<QPushButton *>()) {
+            if (button->isVisible() && button->text() == QLatin1String(text))
+                return QTest::mouseClick(button, Qt::LeftButton);
+        }
+        QFAIL(text);
+    };
+    click("Fix");
+    QCOMPARE(acted.count(), 1);
+    QApplication::setDoubleClickInterval(60'000);
+    stack.post(QStringLiteral("a"), BannerKind::Caution, QStringLiteral("a"), {}, QStringLiteral("Cancel"));
+    click("Cancel");
+    QCOMPARE(acted.count(), 1);
+    stack.clear(QStringLiteral("a"));
+    click("Fix");
+    click("Dismiss");
+    QCOMPARE(acted.count(), 1);
+    QCOMPARE(stack.count(), 1);
 }
 
 void ChromeTest::anEmptyPageShowsItsWholeSentence()

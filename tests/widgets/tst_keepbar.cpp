@@ -3,9 +3,11 @@
 #include "model/unit.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
+#include "widgets/common/iconbutton.h"
 #include "widgets/common/theme.h"
 #include "widgets/parameters/keepbar.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -45,12 +47,14 @@ struct KeepBench {
 class TestKeepBar : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void init() { QApplication::setDoubleClickInterval(0); }
     void thereIsNoneWhileNothingWaits();
     void theTimeIsSaidAndShown();
     void theTimeIsNeverCut();
     void keepAndPutBackAreOrders();
     void whatGoesFirstIsAskedFirst();
     void theKeyKeepsOnlyWhatIsAsked();
+    void whatNobodyHasReadIsNotKept();
     void whatIsLeftOverOfAPlaceIsSaidToBeSo();
 };
 
@@ -126,6 +130,29 @@ void TestKeepBar::theKeyKeepsOnlyWhatIsAsked()
     bench.wait(4, UnconfirmedView::State::AwaitsStandstill, 0.0);
     QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
     QCOMPARE(bench.workbench.given<orders::KeepChange>().size(), 1U);
+}
+
+void TestKeepBar::whatNobodyHasReadIsNotKept()
+{
+    KeepBench bench;
+    for (std::int64_t change = 4; change <= 8; ++change)
+        bench.wait(change, UnconfirmedView::State::Counting, static_cast<double>(change));
+    const auto buttons = bench.bar.findChildren<CommandButton *>(); // Keep, Put back
+    const auto orderAll = [&bench, &buttons] {
+        for (CommandButton *button : buttons)
+            QTest::mouseClick(button, Qt::LeftButton);
+        QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
+    };
+    orderAll();
+    QCOMPARE(bench.workbench.sent.size(), 3U);
+    QTest::simulateEvent(&bench.window, true, Qt::Key_Return, Qt::ControlModifier, {}, true);
+    QCOMPARE(bench.workbench.sent.size(), 3U); // a key that is held is pressed once
+    QApplication::setDoubleClickInterval(60'000);
+    bench.workbench.shot.unconfirmed.erase(bench.workbench.shot.unconfirmed.begin());
+    bench.workbench.publish();
+    QCOMPARE(bench.bar.question().contains(QStringLiteral("5 s")), true);
+    orderAll();
+    QCOMPARE(bench.workbench.sent.size(), 3U);
 }
 
 void TestKeepBar::whatIsLeftOverOfAPlaceIsSaidToBeSo()

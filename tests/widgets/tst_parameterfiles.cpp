@@ -27,6 +27,7 @@ private Q_SLOTS:
     void aDamagedFileIsRefused();
     void comparisonShowsAFileBesideTheValues();
     void withoutADeviceAFileCanBeLookedAt();
+    void aFileThatAUnitReplacedIsNotShownAfterIt();
     void aFileThatIsNotChosenLeavesWhatIsComparedWith();
 };
 
@@ -188,6 +189,23 @@ void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
     QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     bench.selection.select({1});
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
+}
+
+void TestParameterFiles::aFileThatAUnitReplacedIsNotShownAfterIt()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    bench.selection.select({});
+    bench.page->openFile(
+        write(folder, QStringLiteral("f.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})"));
+    bench.workbench.device(0).identity.edit().state = DeviceState::Bootloader;
+    bench.workbench.publish();
+    bench.selection.select({1});
+    QVERIFY(says(bench, QStringLiteral("has no application running")));
+    bench.workbench.shot.devices.clear();
+    bench.workbench.publish();
+    QVERIFY(!says(bench, QStringLiteral("has no application running")));
+    QVERIFY(says(bench, QStringLiteral("Select a device")));
 }
 
 void TestParameterFiles::aFileThatIsNotChosenLeavesWhatIsComparedWith()

@@ -7,8 +7,11 @@
 #include "widgets/service/productionhead.h"
 #include "widgets/service/productionpage.h"
 
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTimer>
+
+#include <algorithm>
 
 using namespace mb;
 using namespace mb::test;
@@ -65,6 +68,7 @@ struct StationBench {
 class TestProductionOrders : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void init() { QApplication::setDoubleClickInterval(0); }
     void nothingIsArmedWithoutTheFocus();
     void aHoldEndsWithTheFocus();
     void aDoubleClickStartsAndEndsNothing();
@@ -106,17 +110,19 @@ void TestProductionOrders::aHoldEndsWithTheFocus()
 void TestProductionOrders::aDoubleClickStartsAndEndsNothing()
 {
     StationBench bench;
+    QApplication::setDoubleClickInterval(60'000);
     auto *const head = bench.page->findChild<ProductionHead *>();
-    Q_EMIT head->startWanted();
-    Q_EMIT head->startWanted(); // before the engine has answered
+    const auto buttons = head->findChildren<CommandButton *>();
+    auto *const start = *std::ranges::find(buttons, s("Start"), &QAbstractButton::text);
+    QTest::mouseClick(start, Qt::LeftButton);
+    QTest::mouseClick(start, Qt::LeftButton); // before the engine has answered
     QCOMPARE(bench.workbench.given<orders::ServeUnits>().size(), 1U);
     bench.workbench.serve({});
     const auto begun = bench.workbench.given<orders::ServeUnits>();
     begun.front().finished({});
-    Q_EMIT head->startWanted();
+    QTest::mouseClick(start, Qt::LeftButton);
     QVERIFY(bench.workbench.given<orders::FinishService>().empty());
-    bench.workbench.time += std::chrono::milliseconds(QApplication::doubleClickInterval() + 1);
-    Q_EMIT head->startWanted();
+    start->click(); // later
     QCOMPARE(bench.workbench.given<orders::FinishService>().size(), 1U);
 }
 

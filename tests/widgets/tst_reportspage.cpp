@@ -114,6 +114,7 @@ private Q_SLOTS:
     void aNoteGoesToTheEntryItWasBegunFor();
     void aNoteThatWasBegunIsKeptWhenItsEntryIsNotListedAnyMore();
     void whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded();
+    void whatIsChosenStaysSoWhileUnitsComeAndGetNumbers();
     void aCardIsThatOfTheUnitAsItIsNow();
     void aBookThatCannotBeReadIsToldOnce();
 };
@@ -363,6 +364,32 @@ void TestReportsPage::whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded()
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("2103343A79F2"));
     QVERIFY(!text.contains("2103343A7B2E"));
+}
+
+void TestReportsPage::whatIsChosenStaysSoWhileUnitsComeAndGetNumbers()
+{
+    ReportsPageBench bench;
+    const auto chosen = [&bench] { return bench.page->list().currentItem()->text(); };
+    QTRY_COMPARE(bench.page->list().count(), 2);
+    bench.page->list().setCurrentRow(1);
+    QVERIFY(chosen().contains(QStringLiteral("Trial #17 of DMC60C #5")));
+    DeviceView another = bench.workbench.device(0);
+    another.id = {2};
+    another.selector = "sim:can/dmc60c:7";
+    another.identity.edit().address = 7;
+    another.unit = "simulated dmc60c 2103343A0007";
+    bench.workbench.shot.devices.insert(bench.workbench.shot.devices.begin(), another);
+    bench.workbench.publish();
+    QVERIFY(chosen().contains(QStringLiteral("Trial #17 of DMC60C #5"))); // and the book is still read
+    QTRY_COMPARE(bench.page->list().count(), 4);
+    QVERIFY2(chosen().contains(QStringLiteral("Trial #17 of DMC60C #5")), qPrintable(chosen()));
+    bench.page->hide();
+    bench.page->show();
+    QVERIFY2(chosen().contains(QStringLiteral("Trial #17 of DMC60C #5")), qPrintable(chosen()));
+    bench.workbench.device(1).selector = "sim:can/dmc60c:9";
+    bench.workbench.device(1).identity.edit().address = 9;
+    bench.workbench.publish();
+    QTRY_VERIFY2(chosen().contains(QStringLiteral("Trial #17 of DMC60C #9")), qPrintable(chosen()));
 }
 
 void TestReportsPage::aCardIsThatOfTheUnitAsItIsNow()

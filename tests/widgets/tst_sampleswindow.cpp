@@ -5,6 +5,7 @@
 #include "widgets/plots/sampleswindow.h"
 
 #include <QFileDialog>
+#include <QLabel>
 #include <QMenu>
 
 using namespace mb;
@@ -68,7 +69,26 @@ private Q_SLOTS:
     void itsTableHasEverySampleAndEveryGap();
     void fittingShowsAllOfIt();
     void aRecordingHasNoPresentToFollow();
+    void whatIsWrongWithTheFileStandsAfterAnExport();
 };
+
+void TestSamplesWindow::whatIsWrongWithTheFileStandsAfterAnExport()
+{
+    const SamplesBench bench;
+    QTRY_VERIFY(bench.window->isLoaded());
+    const auto says = [&bench](const QString &words) {
+        const auto labels = bench.window->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [&words](const QLabel *label) { return label->isVisible() && label->text().contains(words); });
+    };
+    QVERIFY(says(s("7 lost")));
+    bench.exportTable(bench.folder.filePath(s("out.csv")));
+    QTRY_VERIFY(says(s("Written: ")));
+    QVERIFY(says(s("7 lost")));
+    bench.exportTable(bench.folder.filePath(s("none/out.csv")));
+    QTRY_VERIFY(!says(s("Written: ")));
+    QVERIFY(says(s("7 lost")));
+}
 
 void TestSamplesWindow::itsTableHasEverySampleAndEveryGap()
 {

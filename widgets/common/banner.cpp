@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/banner.h"
 
+#include "widgets/common/iconbutton.h"
 #include "widgets/common/layoutin.h"
 #include "widgets/common/stateglyph.h"
 
@@ -41,10 +42,9 @@ GlyphState kindGlyph(BannerKind kind)
     return GlyphState::Warning;
 }
 
-void name(QPushButton &button, const QString &text)
+void name(CommandButton &button, const QString &text)
 {
-    button.setText(text);
-    button.setAccessibleName(text);
+    button.setRole(text);
     button.setVisible(!text.isEmpty());
 }
 
@@ -62,13 +62,15 @@ Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, 
     m_remedy = new ElidedLabel({}, this);
     setTone(*m_remedy, Tone::Dim);
     m_remedy->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_action = new QPushButton(this);
+    m_action = new CommandButton(theme, {}, this);
     m_dismiss = linkButton(tr("Dismiss"), this);
-    for (QPushButton *button : {m_action, m_dismiss})
-        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_action->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     new QGridLayout(this);
     connect(m_action, &QPushButton::clicked, this, &Banner::actionTriggered);
-    connect(m_dismiss, &QPushButton::clicked, this, &Banner::dismissed);
+    connect(m_dismiss, &QPushButton::clicked, this, [this] {
+        if (!m_action->isFresh()) // else nobody has read it
+            Q_EMIT dismissed();
+    });
     connect(&theme, &ThemeSource::changed, this, &Banner::restyle);
     setText(cause, remedy);
     setAction({});
@@ -94,7 +96,7 @@ void Banner::setOther(const QString &text)
     if (!m_other && text.isEmpty())
         return;
     if (!m_other) {
-        m_other = new QPushButton(this);
+        m_other = new CommandButton(m_theme, {}, this);
         m_other->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
         connect(m_other, &QPushButton::clicked, this, &Banner::otherTriggered);
         place();
@@ -141,6 +143,16 @@ void Banner::restyle()
     qobject_cast<QGridLayout *>(layout())->setHorizontalSpacing(theme.u(12));
     qobject_cast<QGridLayout *>(layout())->setVerticalSpacing(0);
     setFixedHeight(heightOf(theme, m_twoLines));
+}
+
+/// Where another stood a moment ago.
+void Banner::showEvent(QShowEvent *event)
+{
+    QFrame::showEvent(event);
+    for (CommandButton *button : {m_action, m_other}) {
+        if (button)
+            button->changeRole();
+    }
 }
 
 void Banner::paintEvent(QPaintEvent *event)

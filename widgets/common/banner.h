@@ -10,6 +10,8 @@ class QHBoxLayout;
 
 namespace mb {
 
+class CommandButton;
+
 enum class BannerKind { Caution, Danger, Ok, Info, Ended };
 
 /// A condition, in one line (two where the window is narrow for the size of the text): glyph, bold cause with its
@@ -40,6 +42,7 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
     void restyle();
@@ -50,8 +53,8 @@ private:
     bool m_twoLines = false;
     QLabel *m_cause = nullptr;
     QLabel *m_remedy = nullptr;
-    QPushButton *m_action = nullptr;
-    QPushButton *m_other = nullptr;
+    CommandButton *m_action = nullptr;
+    CommandButton *m_other = nullptr;
     QPushButton *m_dismiss = nullptr;
 };
 

@@ -66,6 +66,7 @@ struct LinkStatus {
     std::optional<qint64> lost; ///< samples lost since the link was opened
     bool healthy = true;        ///< false: caution outline
     QString tooltip;            ///< cause and remedy
+    QString address = {};       ///< of the link; names can be the same
 };
 
 /// One link in the header. Clicking opens Bus.

@@ -145,7 +145,7 @@ void HeaderBar::setLinks(const std::vector<LinkStatus> &links)
     }
     while (m_links.size() < links.size()) {
         auto *chip = new LinkChip(m_theme, this);
-        connect(chip, &Chip::clicked, this, [this, chip] { Q_EMIT linkActivated(chip->status().name); });
+        connect(chip, &Chip::clicked, this, [this, chip] { Q_EMIT linkActivated(chip->status().address); });
         m_linkRow->addWidget(chip);
         m_links.push_back(chip);
     }

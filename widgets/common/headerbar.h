@@ -32,7 +32,7 @@ public:
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void linkActivated(const QString &name);
+    void linkActivated(const QString &address);
     /// The folded chip "4 links" was clicked.
     void linksActivated();
     void noticesActivated();

@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
 
+#include <QApplication>
 #include <QPainter>
 #include <QStyleOptionButton>
 
@@ -92,6 +93,8 @@ void CommandButton::setKeyHint(const QString &key)
 
 bool CommandButton::event(QEvent *event)
 {
+    if (isFresh() && (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick))
+        return true;
     if (event->type() == keysChanged() && !m_key.isEmpty()) {
         tellWords();
         updateGeometry();
@@ -133,6 +136,20 @@ void CommandButton::setTextVariants(const QStringList &texts)
 {
     m_variants = texts;
     updateGeometry();
+}
+
+void CommandButton::setRole(const QString &text)
+{
+    if (text == this->text())
+        return;
+    setText(text);
+    setAccessibleName(text);
+    changeRole();
+}
+
+void CommandButton::changeRole()
+{
+    m_readFrom.setRemainingTime(QApplication::doubleClickInterval());
 }
 
 QFont CommandButton::hintFont() const

@@ -3,6 +3,7 @@
 
 #include "widgets/common/icons.h"
 
+#include <QDeadlineTimer>
 #include <QPushButton>
 #include <QToolButton>
 #include <optional>
@@ -50,6 +51,12 @@ public:
     QSize wordsSize() const;
     /// Texts this button may change to: it is as wide as the widest, so that the row does not move.
     void setTextVariants(const QStringList &texts);
+    /// Its words and its name, where what it does becomes something else under the pointer, as Start becomes End.
+    void setRole(const QString &text);
+    /// It does something else than a moment ago, or to something else, or stands where another stood: a press within the time of
+    /// a double click was meant for that, and is none.
+    void changeRole();
+    [[nodiscard]] bool isFresh() const { return !m_readFrom.hasExpired(); }
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -70,6 +77,7 @@ private:
     QStringList m_variants;
     QString m_tip; ///< of its own, while it is a symbol
     bool m_iconOnly = false;
+    QDeadlineTimer m_readFrom; ///< before that nobody has read what it does
 };
 
 } // namespace mb

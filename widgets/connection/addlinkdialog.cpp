@@ -12,15 +12,19 @@
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QSignalBlocker>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 
 #include <algorithm>
+#include <optional>
 
 namespace mb {
 
 AddLinkDialog::AddLinkDialog(const std::vector<LinkChoice> &choices, const ThemeSource &theme, QWidget *parent)
     : QDialog(parent)
-    , m_choices(choices)
+    , m_theme(theme)
 {
     setObjectName(QStringLiteral("addLink"));
     setWindowTitle(tr("Add a link"));
@@ -33,14 +37,14 @@ AddLinkDialog::AddLinkDialog(const std::vector<LinkChoice> &choices, const Theme
     row->addWidget(buildDetail(theme), 2);
     column->addLayout(row, 1);
     buildFoot(*column, theme);
-    buildList(choices, theme);
+    buildList();
+    setChoices(choices);
     const QSize room = parent ? parent->window()->size() : QSize(1280, 800);
     resize(
         std::min(theme.theme().u(780), room.width() * 9 / 10), std::min(theme.theme().u(520), room.height() * 9 / 10));
 }
 
-/// A branch for each kind, also where it is empty: that nothing is there is an answer.
-void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices, const ThemeSource &theme)
+void AddLinkDialog::buildList()
 {
     m_list->setObjectName(QStringLiteral("linkList"));
     m_list->setAccessibleName(tr("Links that can be added"));
@@ -50,17 +54,47 @@ void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices, const Them
     m_list->header()->setStretchLastSection(false);
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    connect(m_list, &QTreeWidget::currentItemChanged, this, &AddLinkDialog::choose);
+    connect(m_list, &QTreeWidget::itemActivated, this, &AddLinkDialog::finish);
+}
+
+void AddLinkDialog::setChoices(const std::vector<LinkChoice> &choices)
+{
+    if (choices == m_choices)
+        return;
+    const std::optional<LinkChoice> before = current() ? std::optional(*current()) : std::nullopt;
+    const int scrolled = m_list->verticalScrollBar()->value();
+    QSignalBlocker quiet(m_list);
+    m_choices = choices;
+    QTreeWidgetItem *const first = fillList();
+    for (QTreeWidgetItemIterator item(m_list); before && *item; ++item) {
+        const QVariant place = (*item)->data(0, Qt::UserRole);
+        if (place.isValid() && m_choices.at(place.toUInt()).isSameAs(*before))
+            m_list->setCurrentItem(*item);
+    }
+    m_list->verticalScrollBar()->setValue(scrolled);
+    quiet.unblock();
+    if (!before && m_address->text().isEmpty())
+        m_list->setCurrentItem(first);
+    describe();
+    check();
+}
+
+/// A branch for each kind, also where it is empty: that nothing is there is an answer.
+QTreeWidgetItem *AddLinkDialog::fillList()
+{
+    m_list->clear();
     QTreeWidgetItem *first = nullptr;
-    const QSize row(0, theme.theme().u(28));
+    const QSize row(0, m_theme.theme().u(28));
     using Kind = LinkChoice::Kind;
     for (const Kind kind : {Kind::Can, Kind::Serial, Kind::Spi, Kind::Recording, Kind::Simulated}) {
         auto *branch = new QTreeWidgetItem(m_list, {kindTitle(kind)});
         branch->setFlags(Qt::ItemIsEnabled);
         branch->setFirstColumnSpanned(true);
-        branch->setFont(0, theme.theme().font(TextRole::Emphasis, font()));
+        branch->setFont(0, m_theme.theme().font(TextRole::Emphasis, font()));
         branch->setSizeHint(0, row);
-        for (std::size_t i = 0; i < choices.size(); ++i) {
-            const LinkChoice &choice = choices[i];
+        for (std::size_t i = 0; i < m_choices.size(); ++i) {
+            const LinkChoice &choice = m_choices[i];
             if (choice.kind != kind)
                 continue;
             auto *item = new QTreeWidgetItem(branch, {choice.name, choice.isOpen ? tr("open") : choice.state});
@@ -74,9 +108,7 @@ void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices, const Them
             (new QTreeWidgetItem(branch, {tr("none found")}))->setFlags(Qt::NoItemFlags);
     }
     m_list->expandAll();
-    connect(m_list, &QTreeWidget::currentItemChanged, this, &AddLinkDialog::choose);
-    connect(m_list, &QTreeWidget::itemActivated, this, &AddLinkDialog::finish);
-    m_list->setCurrentItem(first);
+    return first;
 }
 
 QWidget *AddLinkDialog::buildDetail(const ThemeSource &theme)
@@ -136,7 +168,17 @@ const LinkChoice *AddLinkDialog::current() const
     return place.isValid() ? &m_choices.at(static_cast<std::size_t>(place.toInt())) : nullptr;
 }
 
-void AddLinkDialog::choose(const QTreeWidgetItem *)
+void AddLinkDialog::choose()
+{
+    describe();
+    const LinkChoice *choice = current();
+    if (choice)
+        m_options->setKind(choice->kind);
+    m_keep->setEnabled(!choice || choice->kind != LinkChoice::Kind::Recording);
+    compose();
+}
+
+void AddLinkDialog::describe()
 {
     const LinkChoice *choice = current();
     m_name->setText(choice ? choice->name : QString());
@@ -146,10 +188,6 @@ void AddLinkDialog::choose(const QTreeWidgetItem *)
     m_command->setVisible(!m_command->text().isEmpty());
     m_options->setVisible(choice && choice->openable && choice->kind != LinkChoice::Kind::Can
         && choice->kind != LinkChoice::Kind::Recording);
-    if (choice)
-        m_options->setKind(choice->kind);
-    m_keep->setEnabled(!choice || choice->kind != LinkChoice::Kind::Recording);
-    compose();
 }
 
 /// The address of what is chosen, with its options.

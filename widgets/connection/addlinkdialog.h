@@ -25,6 +25,8 @@ class AddLinkDialog : public QDialog {
 public:
     AddLinkDialog(const std::vector<LinkChoice> &choices, const ThemeSource &theme, QWidget *parent = nullptr);
 
+    /// What can be chosen by now. What is chosen, typed and set stays.
+    void setChoices(const std::vector<LinkChoice> &choices);
     /// GPIO lines of this computer, for SPI boards.
     void setLines(const std::vector<std::pair<QString, QString>> &lines);
 
@@ -35,15 +37,19 @@ Q_SIGNALS:
     void helpWanted();
 
 private:
-    void buildList(const std::vector<LinkChoice> &choices, const ThemeSource &theme);
+    void buildList();
+    /// Yields what is offered first.
+    QTreeWidgetItem *fillList();
     [[nodiscard]] QWidget *buildDetail(const ThemeSource &theme);
     void buildFoot(QVBoxLayout &column, const ThemeSource &theme);
-    void choose(const QTreeWidgetItem *item);
+    void choose();
+    void describe();
     void compose();
     void check();
     void finish();
     [[nodiscard]] const LinkChoice *current() const;
 
+    const ThemeSource &m_theme;
     std::vector<LinkChoice> m_choices;
     QTreeWidget *m_list = nullptr;
     QLabel *m_name = nullptr;

@@ -20,6 +20,13 @@ struct LinkChoice {
     std::string address; ///< without options; empty where a file is asked for
     bool openable = true;
     bool isOpen = false; ///< it is in use here already
+
+    /// It may be open by now, or not there any more.
+    [[nodiscard]] bool isSameAs(const LinkChoice &other) const
+    {
+        return kind == other.kind && address == other.address;
+    }
+    friend bool operator==(const LinkChoice &, const LinkChoice &) = default;
 };
 
 /// A row for every interface, port and device of `listings`, then a recording and the simulated links. `open`: addresses of the

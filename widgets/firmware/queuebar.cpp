@@ -120,7 +120,7 @@ void QueueBar::follow(const ServiceView &view, const QueueTotals &totals, const 
             : QString());
     m_share->setValue(static_cast<int>(totals.share * shareSteps));
     m_counts->setText(countsOf(totals));
-    m_pause->setText(view.pausing ? tr("Go on") : tr("Pause after this unit"));
+    m_pause->setRole(view.pausing ? tr("Go on") : tr("Pause after this unit"));
     m_pause->setSymbol(view.pausing ? Symbol::Play : Symbol::Pause);
     m_pause->setEnabled(view.running);
     m_cancel->setEnabled(view.running);

@@ -102,7 +102,10 @@ void BusPage::buildContent()
     m_outer->addWidget(m_side);
     m_outer->setStretchFactor(0, 1);
     m_outer->setStretchFactor(1, 0);
-    const auto copy = [this] { QApplication::clipboard()->setText(selectedText()); };
+    const auto copy = [this] {
+        if (const QString text = selectedText(); !text.isEmpty())
+            QApplication::clipboard()->setText(text);
+    };
     connect(m_tables, &BusTables::currentChanged, this, &BusPage::showSelected);
     connect(m_tables, &BusTables::copyRequested, this, copy);
     // Looking back must not be scrolled away: the view stops following, the log goes on.
@@ -131,7 +134,10 @@ void BusPage::buildKeys()
     connect(m_bar, &BusBar::findRequested, this, &BusPage::find);
     connect(m_bar, &BusBar::pauseRequested, this, [this] { setPaused(!m_paused); });
     connect(m_bar, &BusBar::clearRequested, m_model, &FrameModel::clear);
-    connect(m_bar, &BusBar::clearRequested, &m_side->detail(), &FrameDetail::clear);
+    connect(m_model, &FrameModel::modelReset, this, [this] {
+        if (m_model->kept().empty()) // cleared, or another link
+            m_side->detail().clear();
+    });
     connect(m_bar, &BusBar::exportRequested, this, &BusPage::askWhereTo);
     connect(m_bar, &BusBar::sendToggled, m_send, &QWidget::setVisible);
 }
@@ -259,11 +265,12 @@ void BusPage::showState(const LinkView &link)
     m_side->showFacts(link, *m_ids);
 }
 
+/// What was chosen stays when its row goes.
 void BusPage::showSelected()
 {
     const auto current = m_tables->current();
     if (!current)
-        return m_side->detail().clear();
+        return;
     const FrameRow &row = m_model->row(*current);
     m_side->detail().show(row, m_model->meaning(row), m_model->decoder(), m_model->origin());
 }
@@ -277,8 +284,11 @@ QString BusPage::selectedText() const
 {
     std::string text;
     const WallClock clock = exportClock();
+    const auto add = [&](const TrafficRecord &record) { text += trafficLine(record, m_source.name, clock) + '\n'; };
     for (const int row : m_tables->selected())
-        text += trafficLine(m_model->row(row).record, m_source.name, clock) + '\n';
+        add(m_model->row(row).record);
+    if (const auto &shown = m_side->detail().record(); text.empty() && shown)
+        add(*shown);
     return QString::fromStdString(text);
 }
 

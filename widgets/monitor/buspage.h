@@ -39,7 +39,7 @@ public:
     void setPaused(bool paused);
     /// Takes what came since the last time; the page does this by itself twenty times a second while it is shown.
     void tick();
-    /// The selected frames as lines of candump -L.
+    /// The selected frames as lines of candump -L; without one the frame that the detail shows.
     [[nodiscard]] QString selectedText() const;
     /// Writes the frames that are shown, or all that are kept. Reports success or failure to the log.
     void exportTo(const QString &path, bool all);

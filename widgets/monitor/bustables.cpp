@@ -26,11 +26,17 @@ BusTables::BusTables(const ThemeSource &theme, FrameModel &frames, IdModel &ids,
     , m_model(frames)
     , m_ids(ids)
 {
+    // heard before the table hears it and moves its cursor
+    connect(&frames, &FrameModel::rowsAboutToBeRemoved, this, [this] { m_isTrimmed = true; });
+    connect(&frames, &FrameModel::rowsRemoved, this, [this] { m_isTrimmed = false; });
     build();
     auto *copy = new QShortcut(QKeySequence::Copy, m_frames);
     copy->setContext(Qt::WidgetShortcut);
     connect(copy, &QShortcut::activated, this, &BusTables::copyRequested);
-    connect(m_frames->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &BusTables::currentChanged);
+    connect(m_frames->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+        if (!m_isTrimmed)
+            Q_EMIT currentChanged();
+    });
     connect(m_idTable, &QWidget::customContextMenuRequested, this, &BusTables::chooseField);
     connect(m_frames->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
         const QScrollBar *bar = m_frames->verticalScrollBar();

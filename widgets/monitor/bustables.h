@@ -27,12 +27,13 @@ public:
     /// The newest frame.
     void toEnd();
     void goTo(int frame);
-    /// The frame that the cursor is on.
+    /// The frame that the cursor is on, though it be there since another one was taken out.
     [[nodiscard]] std::optional<int> current() const;
     /// In their order.
     [[nodiscard]] std::vector<int> selected() const;
 
 Q_SIGNALS:
+    /// By somebody: not where the row of the cursor was taken out.
     void currentChanged();
     void copyRequested();
     /// Somebody scrolled: away from the newest frame, or to it.
@@ -48,6 +49,7 @@ private:
     const ThemeSource &m_theme;
     FrameModel &m_model;
     IdModel &m_ids;
+    bool m_isTrimmed = false; ///< the model, at this moment
     QSplitter *m_lower = nullptr;
     TrafficView *m_frames = nullptr;
     TrafficView *m_idTable = nullptr;

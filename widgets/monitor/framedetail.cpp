@@ -143,11 +143,12 @@ void FrameDetail::buildFields(QVBoxLayout &column)
     column.addLayout(row);
     column.addStretch(0);
     connect(m_copy, &QPushButton::clicked, this, &FrameDetail::copyRequested);
-    connect(m_send, &QPushButton::clicked, this, [this] { Q_EMIT sendRequested(m_frame); });
+    connect(m_send, &QPushButton::clicked, this, [this] { Q_EMIT sendRequested(m_record->frame); });
 }
 
 void FrameDetail::clear()
 {
+    m_record.reset();
     m_time->clear();
     m_message->setText(tr("No frame selected"));
     m_id->setText(tr("Select one to see its fields"));
@@ -167,23 +168,24 @@ void FrameDetail::setFilled(bool filled)
 void FrameDetail::show(const FrameRow &row, const FrameMeaning *meaning, const FrameDecoder &decoder, Instant origin)
 {
     const TrafficRecord &record = row.record;
-    m_frame = record.frame;
-    m_raw = record.isFrame() ? std::vector<std::uint8_t>(m_frame.bytes().begin(), m_frame.bytes().end()) : record.bytes;
+    const CanFrame &frame = record.frame;
+    m_record = record;
+    m_raw = record.isFrame() ? std::vector<std::uint8_t>(frame.bytes().begin(), frame.bytes().end()) : record.bytes;
     setFilled(true);
-    m_send->setEnabled(record.isFrame() && !m_frame.error);
-    m_time->setText(tr("%1 s").arg(std::chrono::duration<double>(m_frame.time - origin).count(), 0, 'f', 6));
-    m_message->setText(m_frame.error ? tr("Error frame")
-            : meaning                ? qt(meaning->frame.message)
-            : record.isFrame()       ? tr("Unknown frame")
-                                     : tr("%1 bytes").arg(record.length));
+    m_send->setEnabled(record.isFrame() && !frame.error);
+    m_time->setText(tr("%1 s").arg(std::chrono::duration<double>(frame.time - origin).count(), 0, 'f', 6));
+    m_message->setText(frame.error ? tr("Error frame")
+            : meaning              ? qt(meaning->frame.message)
+            : record.isFrame()     ? tr("Unknown frame")
+                                   : tr("%1 bytes").arg(record.length));
     const QString direction = record.direction == Direction::Sent ? tr("sent") : tr("received");
-    m_id->setText(m_frame.error            ? errorFrameText(m_frame)
+    m_id->setText(frame.error              ? errorFrameText(frame)
             : meaning && !record.isFrame() ? tr("%1 · %2").arg(qt(meaning->family->title), direction)
             : meaning                      ? tr("%1 · %2 #%3 · %4")
-                            .arg(hexId(m_frame), qt(meaning->family->title), addressText(meaning->frame), direction)
-            : record.isFrame() ? tr("%1 · %2").arg(hexId(m_frame), direction)
+                            .arg(hexId(frame), qt(meaning->family->title), addressText(meaning->frame), direction)
+            : record.isFrame() ? tr("%1 · %2").arg(hexId(frame), direction)
                                : direction);
-    const auto bits = meaning && record.isFrame() ? fieldBits(m_frame, decoder) : std::vector<std::uint64_t>{};
+    const auto bits = meaning && record.isFrame() ? fieldBits(frame, decoder) : std::vector<std::uint64_t>{};
     showFields(meaning, bits);
 }
 

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QLabel;
 class QTableWidget;
 class QVBoxLayout;
@@ -15,7 +17,7 @@ namespace mb {
 class ByteStrip;
 class CommandButton;
 
-/// The selected frame: what it is, its bytes, every field with its bits and its value.
+/// The frame that was selected last: what it is, its bytes, every field with its bits and its value.
 class FrameDetail : public QWidget {
     Q_OBJECT
 public:
@@ -23,6 +25,8 @@ public:
     /// `meaning`: nullptr when nobody knows the frame.
     void show(const FrameRow &row, const FrameMeaning *meaning, const FrameDecoder &decoder, Instant origin);
     void clear();
+    /// What is shown; nothing: no frame.
+    [[nodiscard]] const std::optional<TrafficRecord> &record() const { return m_record; }
 
 Q_SIGNALS:
     void copyRequested();
@@ -35,7 +39,7 @@ private:
     void setFilled(bool filled);
 
     const ThemeSource &m_theme;
-    CanFrame m_frame;
+    std::optional<TrafficRecord> m_record;
     std::vector<std::uint8_t> m_raw; ///< what is shown of it
     QLabel *m_time = nullptr;
     QLabel *m_message = nullptr;

@@ -114,7 +114,7 @@ void SendPanel::follow()
     m_data->setEnabled(!isRepeating());
     m_format->setEnabled(!isRepeating());
     m_send->setHoldNeeded(m_verdict.control && !isRepeating());
-    m_send->setText(isRepeating() ? tr("End repeating") : m_verdict.control ? tr("Hold to send") : tr("Send"));
+    m_send->setRole(isRepeating() ? tr("End repeating") : m_verdict.control ? tr("Hold to send") : tr("Send"));
     m_send->setEnabled(isRepeating() || (m_typed.frame && problem.isEmpty()));
     QString meaning = !problem.isEmpty() ? problem
         : empty                          ? tr("What is typed here is decoded before it is sent")

@@ -80,7 +80,11 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     for (const char *keys : {"Ctrl+Return", "Ctrl+Enter"}) { // of the letters, and of the numbers
         auto *key = new QShortcut(QKeySequence(QLatin1String(keys)), this);
         key->setContext(Qt::WindowShortcut);
-        connect(key, &QShortcut::activated, this, &KeepBar::keep);
+        key->setAutoRepeat(false);
+        connect(key, &QShortcut::activated, this, [this] {
+            if (!m_keep->isFresh())
+                keep();
+        });
     }
     hide();
     placeButtons();
@@ -134,6 +138,10 @@ void KeepBar::follow()
 void KeepBar::showChange(const UnconfirmedView &view, int more)
 {
     const DeviceView *device = m_workbench.snapshot().device(view.device);
+    if (m_device != view.device || m_change != view.change) { // the same words, of something else
+        m_keep->changeRole();
+        m_back->changeRole();
+    }
     m_device = view.device;
     m_change = view.change;
     m_question->setText(tr("Keep these values of %1?").arg(device ? titleOf(*device) : QString()));

@@ -236,6 +236,7 @@ void ParametersPage::showEmpty()
     if (m_model->edits()) {
         view().commitField();
         m_model->show(nullptr, nullptr, false);
+        m_file.reset();
     }
     m_stack->setCurrentIndex(0);
     const DeviceView *shown = device();

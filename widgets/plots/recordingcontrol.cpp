@@ -74,7 +74,7 @@ void RecordingControl::follow()
     if (!m_recorder)
         return;
     const Recorder::State state = m_recorder->state();
-    m_button->setText(state.keeping ? tr("Save") : tr("Record"));
+    m_button->setRole(state.keeping ? tr("Save") : tr("Record"));
     m_button->setSymbol(Symbol::Record, state.keeping ? Tone::Danger : Tone::Text);
     m_button->setEnabled(!state.saving);
     if (!state.failure.isEmpty()) {

@@ -79,6 +79,10 @@ void SamplesWindow::build(const QString &path, const ThemeSource &theme)
     for (QWidget *button : {static_cast<QWidget *>(fit), static_cast<QWidget *>(cursors), static_cast<QWidget *>(save)})
         head->addWidget(button);
     column->addLayout(head);
+    m_said = textLabel({}, TextRole::Body, Tone::Dim, this);
+    m_said->setWordWrap(true);
+    m_said->hide();
+    column->addWidget(m_said);
     auto *row = new QHBoxLayout;
     m_channels = new QListWidget(this);
     m_channels->setAccessibleName(tr("Channels"));
@@ -104,11 +108,19 @@ void SamplesWindow::connectExports()
     m_job = new ExportJob(this);
     m_stack->exporter().setTable([this] { return [this](const QString &path) { exportTable(path); }; });
     connect(&m_stack->exporter(), &PlotExport::exported, this,
-        [this](const QString &to) { m_state->setText(tr("Written: %1").arg(to)); });
-    connect(&m_stack->exporter(), &PlotExport::exportFailed, m_state, &QLabel::setText);
+        [this](const QString &to) { say(tr("Written: %1").arg(to), Tone::Dim); });
+    connect(
+        &m_stack->exporter(), &PlotExport::exportFailed, this, [this](const QString &why) { say(why, Tone::Danger); });
     connect(m_job, &ExportJob::finished, this, [this](const QString &to, const Result<ExportReport> &report) {
-        m_state->setText(report ? tr("Written: %1").arg(to) : errorText(report.error()));
+        report ? say(tr("Written: %1").arg(to), Tone::Dim) : say(errorText(report.error()), Tone::Danger);
     });
+}
+
+void SamplesWindow::say(const QString &text, Tone tone)
+{
+    m_said->setText(text);
+    setTone(*m_said, tone);
+    m_said->show();
 }
 
 void SamplesWindow::showExports(const QPoint &at)
@@ -144,7 +156,7 @@ void SamplesWindow::exportTable(const QString &path)
     const auto work = [plan, file = QFile::encodeName(path).toStdString()](
                           const ExportProgress &progress) { return exportCsv(plan, file, progress); };
     if (!m_job->start(work, path))
-        m_state->setText(tr("One export at a time: %1 is being written.").arg(m_job->path()));
+        say(tr("One export at a time: %1 is being written.").arg(m_job->path()), Tone::Caution);
 }
 
 void SamplesWindow::addKeys()

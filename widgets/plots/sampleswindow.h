@@ -35,6 +35,7 @@ private:
     void build(const QString &path, const ThemeSource &theme);
     void addKeys();
     void connectExports();
+    void say(const QString &text, Tone tone);
     void read(const QString &path);
     void take(const Result<std::shared_ptr<const LoadedRecording>> &read);
     void listChannels(const std::vector<int> &traces);
@@ -43,7 +44,8 @@ private:
 
     PlotStack *m_stack = nullptr;
     QListWidget *m_channels = nullptr;
-    QLabel *m_state = nullptr;
+    QLabel *m_state = nullptr; ///< of the file
+    QLabel *m_said = nullptr;  ///< of an export
     ExportJob *m_job = nullptr;
     std::shared_ptr<const LoadedRecording> m_recording;
     QString m_failure;

@@ -54,8 +54,8 @@ bool ReportEntry::contains(const QString &search) const
 
 bool ReportEntry::isSameAs(const ReportEntry &other) const
 {
-    return kind == other.kind && visit.id == other.visit.id && unit.selector == other.unit.selector
-        && unit.unit == other.unit.unit && wish.trials == other.wish.trials;
+    return kind == other.kind && visit.id == other.visit.id && unit.unit == other.unit.unit
+        && wish.trials == other.wish.trials;
 }
 
 ReportEntry entryOf(const service::Visit &visit, const Family *family)

@@ -24,7 +24,7 @@ struct ReportEntry {
     /// Two lines: what it is, and when.
     [[nodiscard]] QString text() const;
     [[nodiscard]] bool contains(const QString &search) const;
-    /// The same thing, though it may be known better since.
+    /// The same thing, though it may be known better since, or its unit have another number.
     [[nodiscard]] bool isSameAs(const ReportEntry &other) const;
 };
 

@@ -39,6 +39,13 @@ constexpr int pageWidth = 860;
 constexpr int previewBesideFrom = 760;
 constexpr int newestEntries = 2000; ///< of the journal, in the list
 
+/// What the books tell of the units that are here.
+struct Gathering {
+    std::vector<ReportEntry> entries;
+    std::size_t missing = 0; ///< answers
+    bool isTold = false;     ///< that one cannot be read: it is one book, asked for each unit
+};
+
 /// Of a unit that is here as it is now, not as it was when the list was made.
 ReportUnit unitOf(const ReportEntry &entry, const Snapshot &shot)
 {
@@ -49,6 +56,32 @@ ReportUnit unitOf(const ReportEntry &entry, const Snapshot &shot)
             return now;
     }
     return entry.unit;
+}
+
+void addBooks(std::vector<ReportEntry> &entries, const ReportUnit &here, const ReportUnit &unit)
+{
+    const QString name = (here.family ? qt(here.family->title) : qt(here.identity.family)) + QStringLiteral(" #")
+        + QString::number(here.identity.address);
+    for (const KeptTuning &tuning : unit.tunings) {
+        ReportEntry entry;
+        entry.kind = ReportEntry::Kind::Tuning;
+        entry.unit = here;
+        entry.wish = {tuning.report.trials, {}, true};
+        entry.time = tuning.time;
+        entry.title = ReportsPage::tr("Tuning of %1").arg(name);
+        entry.about = ReportsPage::tr("%1 trials").arg(tuning.report.trials.size());
+        entries.push_back(std::move(entry));
+    }
+    for (const KeptTrial &trial : unit.history) {
+        ReportEntry entry;
+        entry.kind = ReportEntry::Kind::Trial;
+        entry.unit = here;
+        entry.wish = {{trial.number}, {}, false};
+        entry.time = trial.time;
+        entry.title = ReportsPage::tr("Trial #%1 of %2").arg(trial.number).arg(name);
+        entry.about = qt(trial.note);
+        entries.push_back(std::move(entry));
+    }
 }
 
 } // namespace
@@ -216,7 +249,7 @@ void ReportsPage::askJournal()
     }));
 }
 
-/// Once for the units that are here.
+/// Once for the units that are here. Until all is answered the list stays as it is: what was chosen may be in the last answer.
 void ReportsPage::follow()
 {
     const auto &devices = m_workbench.snapshot().devices;
@@ -226,8 +259,8 @@ void ReportsPage::follow()
     if (!isVisible() || asked == m_asked)
         return;
     m_asked = asked;
-    m_entries.clear();
-    const auto told = std::make_shared<bool>(false); // one book, asked for each unit
+    const auto gathering = std::make_shared<Gathering>();
+    gathering->missing = devices.size();
     for (const DeviceView &view : devices) {
         ReportEntry card;
         card.unit = reportUnitOf(view);
@@ -235,48 +268,25 @@ void ReportsPage::follow()
         card.about = qt(view.identity->serial);
         ReportWish wish;
         wish.unit = card.unit.unit;
-        m_entries.push_back(card);
-        m_workbench.trials().gather(
-            wish, guarded(this, [this, here = card.unit, asked, told](const Result<std::vector<ReportUnit>> &units) {
+        gathering->entries.push_back(card);
+        m_workbench.trials().gather(wish,
+            guarded(this, [this, here = card.unit, asked, gathering](const Result<std::vector<ReportUnit>> &units) {
                 if (m_asked != asked)
                     return;
-                if (!units) {
-                    if (!std::exchange(*told, true))
-                        m_workbench.report(Severity::Danger, {}, errorText(units.error()));
-                    return;
+                if (!units && !std::exchange(gathering->isTold, true))
+                    m_workbench.report(Severity::Danger, {}, errorText(units.error()));
+                for (const ReportUnit &unit : units ? *units : std::vector<ReportUnit>())
+                    addBooks(gathering->entries, here, unit);
+                if (--gathering->missing == 0) {
+                    m_entries = std::move(gathering->entries);
+                    fill();
                 }
-                for (const ReportUnit &unit : *units)
-                    take(here, unit);
-                fill();
             }));
     }
+    if (!devices.empty() && !m_entries.empty())
+        return;
+    m_entries = gathering->entries;
     fill();
-}
-
-void ReportsPage::take(const ReportUnit &here, const ReportUnit &unit)
-{
-    const QString name = (here.family ? qt(here.family->title) : qt(here.identity.family)) + QStringLiteral(" #")
-        + QString::number(here.identity.address);
-    for (const KeptTuning &tuning : unit.tunings) {
-        ReportEntry entry;
-        entry.kind = ReportEntry::Kind::Tuning;
-        entry.unit = here;
-        entry.wish = {tuning.report.trials, {}, true};
-        entry.time = tuning.time;
-        entry.title = tr("Tuning of %1").arg(name);
-        entry.about = tr("%1 trials").arg(tuning.report.trials.size());
-        m_entries.push_back(std::move(entry));
-    }
-    for (const KeptTrial &trial : unit.history) {
-        ReportEntry entry;
-        entry.kind = ReportEntry::Kind::Trial;
-        entry.unit = here;
-        entry.wish = {{trial.number}, {}, false};
-        entry.time = trial.time;
-        entry.title = tr("Trial #%1 of %2").arg(trial.number).arg(name);
-        entry.about = qt(trial.note);
-        m_entries.push_back(std::move(entry));
-    }
 }
 
 bool ReportsPage::isShown(const ReportEntry &entry) const
@@ -301,6 +311,7 @@ void ReportsPage::fill()
         return (a->time == 0.0) != (b->time == 0.0) ? a->time == 0.0 : a->time > b->time;
     });
     int row = m_list->currentRow();
+    bool isFound = false;
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     int visits = 0;
@@ -310,7 +321,8 @@ void ReportsPage::fill()
         auto *item = new QListWidgetItem(entry->text(), m_list);
         if (entry->glyph)
             item->setIcon(glyphIcon(*entry->glyph, m_theme.theme()));
-        if (m_chosen && entry->isSameAs(*m_chosen))
+        if (m_chosen && entry->isSameAs(*m_chosen)
+            && (!std::exchange(isFound, true) || entry->unit.selector == m_chosen->unit.selector))
             row = m_list->count() - 1;
         const bool visit = entry->kind == ReportEntry::Kind::Visit;
         visits += visit;

@@ -56,7 +56,6 @@ private:
     void addKeys();
     void follow();
     void askJournal();
-    void take(const ReportUnit &here, const ReportUnit &unit);
     void fill();
     void preview();
     void lookAt(const ReportEntry &entry, int asked);

@@ -94,7 +94,7 @@ void ProductionHead::show(const service::RecipeMatter *matter, bool canStart)
 void ProductionHead::follow(const ServiceView &view)
 {
     m_start->setEnabled(view.running || m_canStart);
-    m_start->setText(view.running ? tr("End") : tr("Start"));
+    m_start->setRole(view.running ? tr("End") : tr("Start"));
     m_start->setSymbol(view.running ? Symbol::Pause : Symbol::Play);
     m_link->setEnabled(!view.running);
     m_arm->setEnabled(view.running);

@@ -183,11 +183,9 @@ bool ProductionPage::openRecipe(const QString &path)
     return true;
 }
 
-/// The button changes its role: the second click of two was meant for the first.
 void ProductionPage::startOrEnd()
 {
-    const auto pause = std::chrono::milliseconds(QApplication::doubleClickInterval());
-    if (m_isOrdered || (m_changedAt && m_workbench.now() - *m_changedAt < pause))
+    if (m_isOrdered)
         return;
     if (!m_workbench.service().running)
         return start();
@@ -282,8 +280,6 @@ void ProductionPage::resizeEvent(QResizeEvent *event)
 void ProductionPage::follow()
 {
     const ServiceView &view = m_workbench.service();
-    if (std::exchange(m_isRunning, view.running) != view.running)
-        m_changedAt = m_workbench.now();
     m_verdict->setVerdict(verdictOf(view, m_setAside, *this));
     m_tiles->follow(view);
     showRecipe(view);

@@ -78,11 +78,9 @@ private:
     const ThemeSource &m_theme;
     std::shared_ptr<const service::RecipeMatter> m_matter;
     std::vector<std::uint32_t> m_setAside;
-    bool m_announced = false;           ///< that a motor turns in a moment
-    bool m_isActive = true;             ///< somebody looks at this program
-    bool m_isOrdered = false;           ///< a start or an end, and not answered
-    bool m_isRunning = false;           ///< as shown last
-    std::optional<Instant> m_changedAt; ///< that
+    bool m_announced = false; ///< that a motor turns in a moment
+    bool m_isActive = true;   ///< somebody looks at this program
+    bool m_isOrdered = false; ///< a start or an end, and not answered
     QTimer m_renewal;
     QCheckBox *m_sound = nullptr;
     ProductionHead *m_head = nullptr;
