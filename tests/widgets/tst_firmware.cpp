@@ -21,6 +21,7 @@ class FirmwareTest : public QObject {
 private Q_SLOTS:
     void anotherRowStillShowsWhatIsWrittenAndWhere();
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
+    void whatAQueueWritesIsShownAsWhatThePageWrites();
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
@@ -125,6 +126,40 @@ void FirmwareTest::nothingIsCalledSafeWhileAnotherUnitIsWritten()
     bench.selection.select({2});
     QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+}
+
+void FirmwareTest::whatAQueueWritesIsShownAsWhatThePageWrites()
+{
+    FirmwareBench bench;
+    service::QueueRow row;
+    row.id = 7;
+    row.device = {1};
+    row.state = service::RowState::Running;
+    row.visit.step = service::Step::Firmware;
+    row.what = say("writing page");
+    row.done = 4;
+    row.total = 31;
+    row.mayInterrupt = false;
+    bench.workbench.serve({row});
+    QPushButton *start = bench.start();
+    for (const DeviceId selected : {DeviceId{1}, DeviceId{2}}) {
+        bench.selection.select(selected);
+        bench.workbench.publish();
+        QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
+        QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+        QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can: writing page, 4 of 31 written")));
+        QVERIFY(!start->isEnabled());
+        QCOMPARE(start->toolTip(), QStringLiteral("One update a bus: DMC60C #5 on sim:can is being written."));
+    }
+    row.visit.step = service::Step::Parameters;
+    bench.workbench.serve({row});
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
+    QVERIFY(!start->isEnabled()); // the bus is the queue's until it has ended
+    QCOMPARE(start->toolTip(), QStringLiteral("Units are served on this link."));
+    bench.workbench.serve({row}, false);
+    bench.workbench.publish();
+    QVERIFY(start->isEnabled());
 }
 
 void FirmwareTest::whenNothingIsWrittenNothingIsSaidOfACut()

@@ -24,7 +24,6 @@ private Q_SLOTS:
     void tickedUnitsAreServedAndNoOthers();
     void everyUnitOfTheFamilyByOneTick();
     void withoutRecipeOrTickNothingStarts();
-    void anImageOfAnotherKindIsRefusedWithWords();
     void eachRowTellsHowFarItIsAndWhatCameOfIt();
     void whatWasWrittenAndNotProvedIsNotCalledVerified();
     void theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne();
@@ -127,19 +126,6 @@ void QueueTest::withoutRecipeOrTickNothingStarts()
     bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     QVERIFY(!bench.board().canStart()); // one runs
     QVERIFY(!bench.board().bar().start().toolTip().isEmpty());
-}
-
-void QueueTest::anImageOfAnotherKindIsRefusedWithWords()
-{
-    QueueBench bench;
-    QFile file(bench.folder.filePath(QStringLiteral("other.hex")));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(":00000001FF\n");
-    file.close();
-    QVERIFY(!bench.board().openImage(file.fileName()));
-    QVERIFY(!bench.workbench.lines.empty());
-    QVERIFY(!bench.board().openImage(QStringLiteral("/nowhere/at/all.hex")));
-    QVERIFY(!bench.board().canStart());
 }
 
 void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()

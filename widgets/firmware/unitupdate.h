@@ -51,7 +51,7 @@ private:
     void followSafety(const OperationView *operation);
     void followRoute(const DeviceView *device, const OperationView *operation);
     void showEnd(const OperationView &operation);
-    [[nodiscard]] const OperationView *shownOperation(const DeviceView *device) const;
+    [[nodiscard]] std::optional<OperationView> shownOperation(const DeviceView *device) const;
     [[nodiscard]] QString hindrance() const;
     [[nodiscard]] QString remaining(const OperationStatus &status) const;
     [[nodiscard]] UpdateWords wordsFor(const OperationView *operation) const;
