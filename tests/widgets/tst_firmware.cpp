@@ -22,6 +22,7 @@ private Q_SLOTS:
     void anotherRowStillShowsWhatIsWrittenAndWhere();
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
     void whatAQueueWritesIsShownAsWhatThePageWrites();
+    void pagesOfAnImageThatIsNotWrittenAreNotGreen();
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
@@ -160,6 +161,24 @@ void FirmwareTest::whatAQueueWritesIsShownAsWhatThePageWrites()
     bench.workbench.serve({row}, false);
     bench.workbench.publish();
     QVERIFY(start->isEnabled());
+}
+
+void FirmwareTest::pagesOfAnImageThatIsNotWrittenAreNotGreen()
+{
+    FirmwareBench bench;
+    const auto maps = bench.page->findChildren<PageMap *>(); // the queue has one, too
+    const auto map = std::find_if(maps.begin(), maps.end(), [](const PageMap *each) { return each->isVisible(); });
+    QVERIFY(map != maps.end());
+    bench.writing();
+    bench.workbench.shot.operations.front().status.parts = {{0, PartState::Done}, {1, PartState::Done}};
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().startsWith(QStringLiteral("2 of ")));
+    bench.page->loadImage(imageFile);
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().isEmpty());
+    bench.workbench.shot.operations.front().id = {4}; // an update with it
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().startsWith(QStringLiteral("2 of ")));
 }
 
 void FirmwareTest::whenNothingIsWrittenNothingIsSaidOfACut()

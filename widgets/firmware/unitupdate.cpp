@@ -205,6 +205,8 @@ void UnitUpdate::buildBody(QVBoxLayout &column)
 void UnitUpdate::loadImage(const QString &path)
 {
     m_image.load(path);
+    if (const auto &known = m_workbench.snapshot().operations; !known.empty())
+        m_lastOfOthers = known.back().id;
     inspectImage();
 }
 
@@ -390,7 +392,8 @@ void UnitUpdate::followProgress(const OperationView *operation)
     m_progress->setRange(0, waiting ? 0 : std::max(status.total, 1));
     m_progress->setValue(status.done);
     const bool own = operation->device == m_selection.device();
-    m_side->map().setStates(own ? status.parts : std::map<int, PartState>());
+    const bool isOfImage = own && operation->id > m_lastOfOthers;
+    m_side->map().setStates(isOfImage ? status.parts : std::map<int, PartState>());
     if (!running)
         return showEnd(*operation);
     const QString where = placeOf(m_workbench.snapshot(), *operation) + QStringLiteral(": ");
@@ -422,14 +425,13 @@ void UnitUpdate::followLog(const OperationView *operation)
     const OperationId id = operation ? operation->id : OperationId{};
     if (id != m_shownOperation) {
         m_shownOperation = id;
-        m_shownLines = 0;
         m_log->clear();
     }
     if (!operation)
         return;
     const auto &lines = operation->status.log;
-    for (; m_shownLines < lines.size(); ++m_shownLines)
-        m_log->add(lines[m_shownLines]);
+    for (auto i = static_cast<std::size_t>(m_log->count()); i < lines.size(); ++i)
+        m_log->add(lines[i]);
 }
 
 void UnitUpdate::followSafety(const OperationView *operation)

@@ -75,7 +75,7 @@ private:
     UpdateLog *m_log = nullptr;
     UpdateSide *m_side = nullptr;
     OperationId m_shownOperation;
-    std::size_t m_shownLines = 0;
+    OperationId m_lastOfOthers; ///< operations so far were not of the image that is open
 };
 
 } // namespace mb
