@@ -103,11 +103,11 @@ void Conditions::followDevice(const DeviceView &device)
 void Conditions::followUpdates()
 {
     const Snapshot &shot = m_workbench.snapshot();
-    for (const OperationView *update : runningUpdates(shot)) {
-        const QString key = QStringLiteral("update %1").arg(update->id.value);
-        const OperationStatus &status = update->status;
+    for (const OperationView &update : runningUpdates(m_workbench)) {
+        const QString key = QStringLiteral("update %1").arg(update.device.value);
+        const OperationStatus &status = update.status;
         post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
-            tr("Firmware is being written to %1").arg(placeOf(shot, *update)),
+            tr("Firmware is being written to %1").arg(placeOf(shot, update)),
             status.total == 0 ? messageText(status.step)
                 : status.mayInterrupt
                 ? tr("%1 of %2. Safe to unplug: the update can be run again.").arg(status.done).arg(status.total)

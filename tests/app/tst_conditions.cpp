@@ -21,6 +21,7 @@ class ConditionsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void anUpdateThatMayBeCutIsNotSaidToNeedItsPower();
+    void whatAQueueWritesIsSaidLikeAnUpdate();
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
     void aNoticeEndsWithWhatItIsOf();
     void whatWasDismissedHidesNoOtherCause();
@@ -91,6 +92,26 @@ void ConditionsTest::anUpdateThatMayBeCutIsNotSaidToNeedItsPower()
         QStringLiteral("15 of 31. Safe to unplug: the update can be run again."));
     notices.write(false);
     QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("15 of 31. It must not be cut now."));
+}
+
+void ConditionsTest::whatAQueueWritesIsSaidLikeAnUpdate()
+{
+    Notices notices;
+    service::QueueRow row;
+    row.device = {1};
+    row.state = service::RowState::Running;
+    row.visit.step = service::Step::Firmware;
+    row.done = 15;
+    row.total = 31;
+    row.mayInterrupt = false;
+    notices.workbench.serve({row});
+    notices.follow();
+    QVERIFY(notices.standing().cause().startsWith(QStringLiteral("Firmware is being written to DMC60C #5")));
+    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("15 of 31. It must not be cut now."));
+    row.visit.step = service::Step::Proof;
+    notices.workbench.serve({row});
+    notices.follow();
+    QCOMPARE(notices.stack.count(), 0);
 }
 
 void ConditionsTest::whatWasStoppedByHandIsNotDrawnAsWhatRuns()

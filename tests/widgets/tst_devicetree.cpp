@@ -23,6 +23,7 @@ private Q_SLOTS:
     void whatIsGoneSelectsNoOther();
     void whatTheProgramHasChosenIsNoChoiceOfSomebody();
     void theMenuOfALinkIsOfThatLink();
+    void aLinkOnWhichUnitsAreServedIsNotClosed();
 };
 
 namespace {
@@ -132,6 +133,24 @@ void DeviceTreeTest::theMenuOfALinkIsOfThatLink()
     }
     QCOMPARE(closed.size(), 1);
     QCOMPARE(closed.at(0).at(0).toString(), s("can0"));
+}
+
+void DeviceTreeTest::aLinkOnWhichUnitsAreServedIsNotClosed()
+{
+    TreeBench bench({1});
+    for (const bool served : {true, false}) {
+        bench.workbench.serve({}, served);
+        bench.workbench.served.links = {"can0"};
+        Q_EMIT bench.view().customContextMenuRequested(
+            bench.view().visualRect(bench.tree->model().index(0, 0)).center());
+        const auto menus = bench.tree->findChildren<QMenu *>();
+        const auto actions = menus.back()->actions();
+        const auto close = std::find_if(actions.begin(), actions.end(),
+            [](const QAction *action) { return action->text() == s("Close this link"); });
+        QVERIFY(close != actions.end());
+        QCOMPARE((*close)->isEnabled(), !served);
+        menus.back()->close();
+    }
 }
 
 MB_WINDOW_TEST(DeviceTreeTest);

@@ -21,6 +21,8 @@ class FirmwareTest : public QObject {
 private Q_SLOTS:
     void anotherRowStillShowsWhatIsWrittenAndWhere();
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
+    void whatAQueueWritesIsShownAsWhatThePageWrites();
+    void pagesOfAnImageThatIsNotWrittenAreNotGreen();
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
@@ -125,6 +127,58 @@ void FirmwareTest::nothingIsCalledSafeWhileAnotherUnitIsWritten()
     bench.selection.select({2});
     QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+}
+
+void FirmwareTest::whatAQueueWritesIsShownAsWhatThePageWrites()
+{
+    FirmwareBench bench;
+    service::QueueRow row;
+    row.id = 7;
+    row.device = {1};
+    row.state = service::RowState::Running;
+    row.visit.step = service::Step::Firmware;
+    row.what = say("writing page");
+    row.done = 4;
+    row.total = 31;
+    row.mayInterrupt = false;
+    bench.workbench.serve({row});
+    QPushButton *start = bench.start();
+    for (const DeviceId selected : {DeviceId{1}, DeviceId{2}}) {
+        bench.selection.select(selected);
+        bench.workbench.publish();
+        QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
+        QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+        QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can: writing page, 4 of 31 written")));
+        QVERIFY(!start->isEnabled());
+        QCOMPARE(start->toolTip(), QStringLiteral("One update a bus: DMC60C #5 on sim:can is being written."));
+    }
+    row.visit.step = service::Step::Parameters;
+    bench.workbench.serve({row});
+    bench.workbench.publish();
+    QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
+    QVERIFY(!start->isEnabled()); // the bus is the queue's until it has ended
+    QCOMPARE(start->toolTip(), QStringLiteral("Units are served on this link."));
+    bench.workbench.serve({row}, false);
+    bench.workbench.publish();
+    QVERIFY(start->isEnabled());
+}
+
+void FirmwareTest::pagesOfAnImageThatIsNotWrittenAreNotGreen()
+{
+    FirmwareBench bench;
+    const auto maps = bench.page->findChildren<PageMap *>(); // the queue has one, too
+    const auto map = std::find_if(maps.begin(), maps.end(), [](const PageMap *each) { return each->isVisible(); });
+    QVERIFY(map != maps.end());
+    bench.writing();
+    bench.workbench.shot.operations.front().status.parts = {{0, PartState::Done}, {1, PartState::Done}};
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().startsWith(QStringLiteral("2 of ")));
+    bench.page->loadImage(imageFile);
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().isEmpty());
+    bench.workbench.shot.operations.front().id = {4}; // an update with it
+    bench.workbench.publish();
+    QVERIFY((*map)->accessibleDescription().startsWith(QStringLiteral("2 of ")));
 }
 
 void FirmwareTest::whenNothingIsWrittenNothingIsSaidOfACut()

@@ -8,6 +8,7 @@
 #include "widgets/service/productionpage.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QSignalSpy>
 #include <QTimer>
 
@@ -73,6 +74,8 @@ private Q_SLOTS:
     void aHoldEndsWithTheFocus();
     void aDoubleClickStartsAndEndsNothing();
     void aScannedSerialIsTheUnitThatWasPutOnLast();
+    void theLinkThatWasChosenStaysSoWhateverBecomesOfIt();
+    void theLinkThatIsServedIsNamedAlsoWhereItIsLost();
 };
 
 void TestProductionOrders::nothingIsArmedWithoutTheFocus()
@@ -139,6 +142,49 @@ void TestProductionOrders::aScannedSerialIsTheUnitThatWasPutOnLast()
     QCOMPARE(again.front().row, 4U);
     again.front().finished(fail(Fault::Refused, say("it was taken off")));
     QVERIFY2(bench.workbench.lines.back().text.contains(s("taken off")), "why nothing happens is said");
+}
+
+void TestProductionOrders::theLinkThatWasChosenStaysSoWhateverBecomesOfIt()
+{
+    StationBench bench;
+    LinkView other = bench.workbench.shot.links.front();
+    other.address = other.name = "socketcan:can1";
+    bench.workbench.shot.links.push_back(other);
+    bench.workbench.publish();
+    auto *const box = bench.page->findChild<QComboBox *>();
+    QTest::keyClick(box, Qt::Key_Down);
+    QCOMPARE(box->currentText(), s("socketcan:can1"));
+    const std::vector<LinkView> both = bench.workbench.shot.links;
+    bench.workbench.shot.links.back().state = LinkState::Lost;
+    bench.workbench.publish();
+    QCOMPARE(box->currentText(), s("socketcan:can1, not open"));
+    bench.workbench.shot.links.pop_back(); // nobody was on it
+    bench.workbench.publish();
+    QCOMPARE(box->currentText(), s("socketcan:can1, not open"));
+    bench.workbench.shot.links = both;
+    bench.workbench.publish();
+    QCOMPARE(box->currentText(), s("socketcan:can1"));
+    bench.page->start();
+    QCOMPARE(bench.workbench.given<orders::ServeUnits>().at(0).links, std::vector<std::string>{"socketcan:can1"});
+    const ProductionPage inAnotherLanguage(bench.workbench, families(), bench.theme, nullptr);
+    QCOMPARE(inAnotherLanguage.findChild<ProductionHead *>()->link(), s("socketcan:can1"));
+}
+
+void TestProductionOrders::theLinkThatIsServedIsNamedAlsoWhereItIsLost()
+{
+    StationBench bench; // whose only link nobody has chosen by hand
+    auto *const head = bench.page->findChild<ProductionHead *>();
+    bench.page->start();
+    bench.workbench.serve({});
+    LinkView other = bench.workbench.shot.links.front();
+    other.address = other.name = "socketcan:can1";
+    bench.workbench.shot.links.front().state = LinkState::Lost;
+    bench.workbench.shot.links.push_back(other);
+    bench.workbench.publish();
+    QCOMPARE(head->link(), s("sim:can"));
+    bench.workbench.serve({}, false);
+    bench.workbench.publish();
+    QCOMPARE(head->link(), s("sim:can")); // for the next start
 }
 
 MB_WINDOW_TEST(TestProductionOrders);

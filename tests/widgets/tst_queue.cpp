@@ -24,12 +24,12 @@ private Q_SLOTS:
     void tickedUnitsAreServedAndNoOthers();
     void everyUnitOfTheFamilyByOneTick();
     void withoutRecipeOrTickNothingStarts();
-    void anImageOfAnotherKindIsRefusedWithWords();
     void eachRowTellsHowFarItIsAndWhatCameOfIt();
     void whatWasWrittenAndNotProvedIsNotCalledVerified();
     void theUnitBesideTheQueueIsTheChosenOrTheRunningOrTheLastOne();
     void pagesThatWereSentAgainAreThoseOfTheShownUnit();
     void whatMustNotBeCutIsShown();
+    void unitsThatComeAndGoLeaveTheChosenOneChosen();
     void aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug();
     void aBarIsWholeOnlyForAUnitThatPassed();
     void theLogTellsEveryUnit();
@@ -127,19 +127,6 @@ void QueueTest::withoutRecipeOrTickNothingStarts()
     bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     QVERIFY(!bench.board().canStart()); // one runs
     QVERIFY(!bench.board().bar().start().toolTip().isEmpty());
-}
-
-void QueueTest::anImageOfAnotherKindIsRefusedWithWords()
-{
-    QueueBench bench;
-    QFile file(bench.folder.filePath(QStringLiteral("other.hex")));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(":00000001FF\n");
-    file.close();
-    QVERIFY(!bench.board().openImage(file.fileName()));
-    QVERIFY(!bench.workbench.lines.empty());
-    QVERIFY(!bench.board().openImage(QStringLiteral("/nowhere/at/all.hex")));
-    QVERIFY(!bench.board().canStart());
 }
 
 void QueueTest::eachRowTellsHowFarItIsAndWhatCameOfIt()
@@ -262,6 +249,28 @@ void QueueTest::whatMustNotBeCutIsShown()
     bench.workbench.serve({running});
     QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5")));
     QCOMPARE(bench.cell(0, QueueModel::Outcome), QStringLiteral("do not unplug"));
+}
+
+void QueueTest::unitsThatComeAndGoLeaveTheChosenOneChosen()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    const std::vector<QueueRow> rows{bench.row(1, 1, RowState::Running), bench.row(2, 2, RowState::Failed)};
+    bench.workbench.serve(rows);
+    const auto selected = [&bench] { return bench.board().table().selectionModel()->selectedRows().value(0).row(); };
+    bench.board().table().selectRow(1);
+    bench.add(4, 11, "sim:can", "2103343A7B01");
+    bench.workbench.publish();
+    QCOMPARE(bench.board().steps().row(), 2U); // not the one that runs: what is skipped is the chosen one
+    bench.board().table().selectRow(2);        // #9, which is not in the queue
+    std::swap(bench.workbench.device(2), bench.workbench.device(3));
+    bench.workbench.publish();
+    QCOMPARE(selected(), 3);
+    bench.workbench.serve({rows[0], rows[1], bench.row(3, 3, RowState::Waiting)}); // it is put on
+    QCOMPARE(bench.board().steps().row(), 3U);
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin() + 3); // and taken off
+    bench.workbench.publish();
+    QCOMPARE(bench.board().steps().row(), 3U);
 }
 
 void QueueTest::aUnitWhoseSelfTestTurnsItsMotorIsNotSafeToUnplug()

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recipe of a queue: it says what it does, and is changed beside the queue without disturbing units that are served.
+// The recipe of a queue: it says what it does, is changed beside the queue without disturbing units that are served, and what is
+// shown of those is by theirs.
 #include "queuebench.h"
 #include "support/windowtests.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/firmware/queuebar.h"
+#include "widgets/firmware/unitsteps.h"
 #include "widgets/service/recipeform.h"
 
 #include <QLineEdit>
@@ -38,6 +42,9 @@ private Q_SLOTS:
     void aRecipeSaysWhatItDoes();
     void aRecipeIsChangedByThePencil();
     void aRecipeThatIsSavedWhileUnitsAreServedWaitsForThem();
+    void anImageOfAnotherKindIsRefusedWithWords();
+    void aQueueThatProductionHasBegunIsShownByItsOwnRecipe();
+    void unitsOfAnotherRecipeAreNotTriedAgainByIt();
 };
 
 void QueueRecipeTest::aRecipeSaysWhatItDoes()
@@ -83,13 +90,74 @@ void QueueRecipeTest::aRecipeThatIsSavedWhileUnitsAreServedWaitsForThem()
     QVERIFY(bench.board().openRecipe(bench.write(R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})")));
     RecipeEditor *editor = bench.openEditor();
     QVERIFY(editor);
+    bench.model().tick({1}, true);
+    bench.board().start();
+    bench.workbench.served.matter = bench.workbench.given<orders::ServeUnits>().at(0).matter;
     bench.workbench.serve({bench.row(1, 1, RowState::Running)});
     type(*editor, "Name", "drive-base rev D");
     editor->save();
     QVERIFY(!editor->isUnsaved());
     QVERIFY(bench.says(QStringLiteral("drive-base rev C"))); // what they are served by
+    QVERIFY(bench.workbench.lines.back().text.startsWith(QStringLiteral("drive-base rev D waits")));
     bench.workbench.serve({bench.row(1, 1, RowState::Passed)}, false);
     QVERIFY(bench.says(QStringLiteral("drive-base rev D")));
+}
+
+void QueueRecipeTest::anImageOfAnotherKindIsRefusedWithWords()
+{
+    QueueBench bench;
+    QFile file(bench.folder.filePath(QStringLiteral("other.hex")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(":00000001FF\n");
+    file.close();
+    QVERIFY(!bench.board().openImage(file.fileName()));
+    QVERIFY(!bench.workbench.lines.empty());
+    QVERIFY(!bench.board().openImage(QStringLiteral("/nowhere/at/all.hex")));
+    QVERIFY(!bench.board().canStart());
+}
+
+void QueueRecipeTest::aQueueThatProductionHasBegunIsShownByItsOwnRecipe()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    bench.add(4, 11, "sim:serial", "Q1");
+    bench.workbench.shot.devices.back().family = findFamily(families(), "quadquad2drv");
+    service::RecipeMatter other;
+    other.recipe.name = "boards";
+    other.recipe.family = bench.workbench.shot.devices.back().family;
+    bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(other);
+    QueueRow running = bench.row(1, 4, RowState::Running);
+    running.mayInterrupt = false;
+    bench.workbench.serve({running});
+    QVERIFY(bench.says(QStringLiteral("Do not unplug: ")));
+    QVERIFY(bench.says(QStringLiteral("boards")));
+    QCOMPARE(bench.model().rowOf(1), 0);
+    QCOMPARE(bench.board().steps().row(), 1U);
+    running.state = RowState::Passed;
+    bench.workbench.serve({running}, false);
+    QVERIFY(!bench.says(QStringLiteral("boards")));
+    QCOMPARE(bench.model().rowOf(1), -1); // of a queue before
+    QCOMPARE(bench.model().rowCount(), 3);
+}
+
+void QueueRecipeTest::unitsOfAnotherRecipeAreNotTriedAgainByIt()
+{
+    QueueBench bench;
+    QVERIFY(bench.board().openImage(demoImage));
+    service::RecipeMatter before;
+    before.recipe.name = "the one before";
+    before.recipe.family = &dmc60c();
+    before.hash = "another";
+    bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(before);
+    bench.workbench.serve({bench.row(1, 1, RowState::Failed)});
+    bench.board().bar().retry().click();
+    QCOMPARE(bench.workbench.given<orders::RetryFailedUnits>().size(), 1U);
+    bench.workbench.serve({bench.row(1, 1, RowState::Failed)}, false);
+    bench.board().bar().retry().click();
+    bench.board().steps().again().click();
+    QCOMPARE(bench.workbench.given<orders::RetryFailedUnits>().size(), 1U);
+    QVERIFY(bench.workbench.given<orders::RetryUnit>().empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QStringLiteral("served by the one before")));
 }
 
 MB_WINDOW_TEST(QueueRecipeTest);

@@ -2,10 +2,13 @@
 #include "widgets/common/updates.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/serviceview.h"
+#include "widgets/common/workbench.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 
 namespace mb {
 namespace {
@@ -14,27 +17,55 @@ struct UpdateText {
     Q_DECLARE_TR_FUNCTIONS(UpdateText)
 };
 
+bool isWritten(const service::QueueRow &row)
+{
+    return row.state == service::RowState::Running && row.visit.step == service::Step::Firmware;
+}
+
+OperationView showing(const service::QueueRow &row)
+{
+    OperationView update;
+    update.device = row.device;
+    update.status.kind = OperationKind::UpdateFirmware;
+    update.status.step = row.what;
+    update.status.done = row.done;
+    update.status.total = row.total;
+    update.status.mayInterrupt = row.mayInterrupt;
+    update.status.parts = row.parts;
+    return update;
+}
+
 } // namespace
 
-std::vector<const OperationView *> runningUpdates(const Snapshot &shot)
+std::vector<OperationView> runningUpdates(const Workbench &workbench)
 {
-    std::vector<const OperationView *> found;
-    for (const OperationView &operation : shot.operations) {
-        const OperationStatus &status = operation.status;
-        if (status.state == OperationStatus::State::Running && status.kind == OperationKind::UpdateFirmware)
-            found.push_back(&operation);
+    std::vector<OperationView> found;
+    std::ranges::copy_if(
+        workbench.snapshot().operations, std::back_inserter(found), [](const OperationView &operation) {
+            const OperationStatus &status = operation.status;
+            return status.state == OperationStatus::State::Running && status.kind == OperationKind::UpdateFirmware;
+        });
+    for (const service::QueueRow &row : workbench.service().rows) {
+        if (isWritten(row))
+            found.push_back(showing(row));
     }
     return found;
 }
 
-const OperationView *updateOn(const Snapshot &shot, std::string_view link)
+std::optional<OperationView> updateOn(const Workbench &workbench, const std::string &link)
 {
-    const auto all = runningUpdates(shot);
-    const auto found = std::ranges::find_if(all, [&](const OperationView *operation) {
-        const DeviceView *device = shot.device(operation->device);
-        return device && device->link == link;
-    });
-    return found == all.end() ? nullptr : *found;
+    for (OperationView &update : runningUpdates(workbench)) {
+        const DeviceView *device = workbench.snapshot().device(update.device);
+        if (device && device->link == link)
+            return std::move(update);
+    }
+    return {};
+}
+
+bool isServed(const Workbench &workbench, const std::string &link)
+{
+    const ServiceView &service = workbench.service();
+    return service.running && std::ranges::find(service.links, link) != service.links.end();
 }
 
 QString placeOf(const Snapshot &shot, const OperationView &operation)

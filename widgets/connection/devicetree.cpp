@@ -265,7 +265,8 @@ void DeviceTree::showMenu(const QPoint &position)
             }
             QAction *close
                 = menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
-            close->setEnabled(!updateOn(m_workbench.snapshot(), link->address)); // a unit may lose its firmware
+            close->setEnabled(!updateOn(m_workbench, link->address) // a unit may lose its firmware
+                && !isServed(m_workbench, link->address));
         }
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));

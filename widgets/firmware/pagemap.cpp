@@ -33,6 +33,7 @@ void PageMap::setParts(std::vector<int> parts, std::optional<int> critical)
     m_critical = critical;
     m_states.clear();
     m_repeated.clear();
+    setAccessibleDescription({});
     setMinimumHeight(heightForWidth(width()));
     updateGeometry();
     update();

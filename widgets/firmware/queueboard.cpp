@@ -18,6 +18,7 @@
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/firmware/updatelog.h"
 #include "widgets/service/recipeeditor.h"
+#include "widgets/service/recipetext.h"
 #include "widgets/service/verdictof.h"
 
 #include <QSplitter>
@@ -135,10 +136,16 @@ void QueueBoard::buildFoot()
 
 void QueueBoard::connectAll()
 {
-    const auto tried = guarded(this, [this](const Result<void> &result) {
-        if (!result)
-            m_workbench.report(Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
-    });
+    const auto tryAgain = [this](auto order) {
+        const auto &by = m_workbench.service().matter;
+        if (by && m_shown.matter() && by->hash != m_shown.matter()->hash)
+            return m_workbench.report(Severity::Caution, {},
+                tr("not tried again: it was served by %1; tick it and start").arg(recipeName(by.get())));
+        m_workbench.send(std::move(order), guarded(this, [this](const Result<void> &result) {
+            if (!result)
+                m_workbench.report(Severity::Caution, {}, tr("not tried again: %1").arg(errorText(result.error())));
+        }));
+    };
     connect(m_head, &QueueHead::imageChosen, this, &QueueBoard::openImage);
     connect(m_head, &QueueHead::recipeChosen, this, &QueueBoard::openRecipe);
     connect(m_head, &QueueHead::editWanted, this, &QueueBoard::edit);
@@ -150,13 +157,12 @@ void QueueBoard::connectAll()
     connect(m_bar, &QueueBar::startWanted, this, &QueueBoard::start);
     connect(m_bar, &QueueBar::pauseWanted, this, [this](bool on) { m_workbench.send(orders::PauseService{on}); });
     connect(m_bar, &QueueBar::cancelWanted, this, [this] { m_workbench.send(orders::CancelService{}); });
-    connect(
-        m_bar, &QueueBar::retryWanted, this, [this, tried] { m_workbench.send(orders::RetryFailedUnits{}, tried); });
+    connect(m_bar, &QueueBar::retryWanted, this, [tryAgain] { tryAgain(orders::RetryFailedUnits{}); });
     connect(m_bar, &QueueBar::exportWanted, this, &QueueBoard::askSave);
     connect(
         &steps(), &UnitSteps::skipWanted, this, [this](std::uint32_t row) { m_workbench.send(orders::SkipUnit{row}); });
-    connect(&steps(), &UnitSteps::againWanted, this,
-        [this, tried](std::uint32_t row) { m_workbench.send(orders::RetryUnit{row}, tried); });
+    connect(
+        &steps(), &UnitSteps::againWanted, this, [tryAgain](std::uint32_t row) { tryAgain(orders::RetryUnit{row}); });
     connect(&model(), &QueueModel::tickedChanged, this, &QueueBoard::follow);
     connect(m_table, &QueueTable::chosenChanged, this, &QueueBoard::followUnit);
     connect(&m_workbench, &Workbench::changed, this, &QueueBoard::follow);
@@ -166,8 +172,6 @@ void QueueBoard::connectAll()
             m_cut = {}; // nor is it known what will be, before it has ended
             return follow();
         }
-        if (!m_saved.isEmpty())
-            take(m_saved);
         lookForCut();
         follow();
     });
@@ -203,16 +207,8 @@ void QueueBoard::edit()
     editor->setAttribute(Qt::WA_DeleteOnClose);
     if (const auto read = m_recipe.path().isEmpty() ? Result<void>() : editor->openFile(m_recipe.path()); !read)
         m_workbench.report(Severity::Danger, {}, errorText(read.error()));
-    connect(editor, &RecipeEditor::saved, this, &QueueBoard::take);
+    connect(editor, &RecipeEditor::saved, this, &QueueBoard::openRecipe);
     editor->show();
-}
-
-/// Units that are being served keep what they began with.
-void QueueBoard::take(const QString &recipe)
-{
-    m_saved = recipe;
-    if (!m_workbench.service().running)
-        openRecipe(std::exchange(m_saved, {}));
 }
 
 bool QueueBoard::opened(const Result<void> &result)
@@ -221,10 +217,11 @@ bool QueueBoard::opened(const Result<void> &result)
         m_workbench.report(Severity::Danger, {}, errorText(result.error()));
         return false;
     }
-    m_head->show(m_recipe);
-    m_side->setRecipe(m_recipe);
-    m_table->setKind(tableText(m_recipe.family()->title));
-    lookForCut();
+    if (m_workbench.service().running)
+        m_workbench.report(
+            Severity::Info, {}, tr("%1 waits until this queue has ended").arg(recipeName(m_recipe.matter().get())));
+    else
+        lookForCut();
     follow();
     return true;
 }
@@ -316,9 +313,10 @@ void QueueBoard::follow()
         return;
     const ServiceView &view = m_workbench.service();
     const Instant now = m_workbench.now();
-    const std::string version = m_recipe.matter() ? m_recipe.matter()->imageVersion : std::string();
+    followRecipe();
+    const std::string version = m_shown.matter() ? m_shown.matter()->imageVersion : std::string();
     model().setChoosing(!view.running);
-    model().setLines(queueLines(view, m_workbench.snapshot(), m_recipe.family(), version, now));
+    model().setLines(queueLines(view, m_workbench.snapshot(), m_shown.family(), version, now));
     m_table->followTicks(view.running);
     m_head->setChoosing(!view.running);
     m_bar->follow(view, totalsOf(view, now), hindrance());
@@ -332,9 +330,22 @@ void QueueBoard::follow()
             "One unit at a time on a bus, buses side by side. Real units keep this computer awake. The journal is on "
             "disk: after a crash the queue goes on.")
                      : tr("Every unit is backed up before and compared afterwards; the journal has it."));
-    m_checks->follow(m_workbench.snapshot(), model().ticked(), m_recipe.matter() != nullptr, now);
+    m_checks->follow(m_workbench.snapshot(), model().ticked(), m_shown.matter() != nullptr, now);
     followLog();
     followUnit();
+}
+
+/// Production may have begun a queue with another.
+void QueueBoard::followRecipe()
+{
+    const ServiceView &view = m_workbench.service();
+    const QueueRecipe recipe = view.running && view.matter ? QueueRecipe(view.matter) : m_recipe;
+    if (recipe.matter() == m_shown.matter())
+        return;
+    m_shown = recipe;
+    m_head->show(m_shown);
+    m_side->setRecipe(m_shown);
+    m_table->setKind(m_shown.family() ? tableText(m_shown.family()->title) : QString());
 }
 
 /// What was said since, of all units in the order of time.
@@ -382,7 +393,7 @@ void QueueBoard::followUnit()
     const service::QueueRow *row = shownRow();
     const QueueLine *line
         = row ? &model().lines().at(static_cast<std::size_t>(model().rowOf(row->id))) : m_table->chosen();
-    m_side->showUnit(row, line, m_recipe);
+    m_side->showUnit(row, line, m_shown);
 }
 
 } // namespace mb

@@ -64,11 +64,11 @@ private:
     void buildFoot();
     void connectAll();
     bool opened(const Result<void> &result);
-    void take(const QString &recipe);
     void begin(std::vector<DeviceId> chosen, const std::string &run);
     void lookForCut();
     void askSave();
     void follow();
+    void followRecipe();
     void followLog();
     void followUnit();
     [[nodiscard]] const service::QueueRow *shownRow() const;
@@ -78,9 +78,9 @@ private:
     Selection &m_selection;
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
-    QueueRecipe m_recipe;
+    QueueRecipe m_recipe; ///< for the next queue
+    QueueRecipe m_shown;  ///< of the one that runs, which keeps what it began with; else the same
     QString m_recipeFolder;
-    QString m_saved; ///< a recipe that was written while units were served; it is opened when they are done
     CutRun m_cut;
     std::string m_dismissed; ///< a run that nobody wants to go on with
     QueueHead *m_head = nullptr;

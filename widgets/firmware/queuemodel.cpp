@@ -22,7 +22,7 @@ QueueModel::QueueModel(const ThemeSource &theme, QObject *parent)
     });
 }
 
-/// The same units in the same order keep the choice and the place of the view.
+/// The same units in the same order keep the place of the view.
 void QueueModel::setLines(std::vector<QueueLine> lines)
 {
     const bool same = std::ranges::equal(
@@ -78,6 +78,16 @@ std::vector<DeviceId> QueueModel::ticked() const
 int QueueModel::rowOf(std::uint32_t queueRow) const
 {
     const auto found = std::ranges::find(m_lines, queueRow, &QueueLine::row);
+    return found == m_lines.end() ? -1 : static_cast<int>(found - m_lines.begin());
+}
+
+int QueueModel::placeOf(const QueueLine &line) const
+{
+    const auto found = std::ranges::find_if(m_lines, [&line](const QueueLine &one) {
+        const bool untold = one.row == 0 || line.row == 0;
+        const bool gone = one.device == DeviceId{} || line.device == DeviceId{};
+        return (one.row == line.row || untold) && (one.device == line.device || gone) && !(untold && gone);
+    });
     return found == m_lines.end() ? -1 : static_cast<int>(found - m_lines.begin());
 }
 

@@ -28,6 +28,8 @@ public:
     /// Those that are here and ticked.
     [[nodiscard]] std::vector<DeviceId> ticked() const;
     [[nodiscard]] int rowOf(std::uint32_t queueRow) const;
+    /// Where the unit of this line stands now, also where it has come into the queue, or its device is gone; -1: nowhere.
+    [[nodiscard]] int placeOf(const QueueLine &line) const;
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace mb {
@@ -14,6 +15,12 @@ namespace mb {
 /// What a queue does to every unit: a recipe's file, or an image by itself. GUI thread.
 class QueueRecipe {
 public:
+    QueueRecipe() = default;
+    /// Of a queue that others have begun.
+    explicit QueueRecipe(std::shared_ptr<const service::RecipeMatter> matter)
+        : m_matter(std::move(matter))
+    {
+    }
     /// With line and mistake where it is none; what was there stays.
     [[nodiscard]] Result<void> openRecipe(const QString &path, std::span<const Family *const> families);
     /// Of the first of these families that it is for, and that takes it over its own link.

@@ -26,7 +26,7 @@ void QueueSide::setRecipe(const QueueRecipe &recipe)
     setGuided(route && !route->steps.empty());
     steps().setSteps(route ? route->steps : std::span<const GuidedStep>());
     map().setParts(image ? image->parts : std::vector<int>{}, image ? image->criticalPart : std::nullopt);
-    const auto &test = recipe.matter()->recipe.test;
+    const auto test = recipe.matter() ? recipe.matter()->recipe.test : std::nullopt;
     setNotes(test
             ? tr("The self-test turns the motor: %1. Hold Arm in the header once the queue runs.").arg(motionOf(*test))
             : QString());

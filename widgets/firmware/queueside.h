@@ -16,7 +16,7 @@ class QueueSide : public UpdateSide {
 public:
     QueueSide(const ThemeSource &theme, QWidget *parent);
 
-    /// What is done to every unit; it has a matter.
+    /// What is done to every unit.
     void setRecipe(const QueueRecipe &recipe);
     /// nullptr: none that was served, and none at all.
     void showUnit(const service::QueueRow *row, const QueueLine *line, const QueueRecipe &recipe);

@@ -88,7 +88,13 @@ void QueueTable::buildView(const ThemeSource &source)
     // A cause has as many lines as it needs in the room that there is now.
     connect(titles, &QHeaderView::sectionResized, m_view, &QTableView::resizeRowsToContents);
     connect(m_model, &QAbstractItemModel::dataChanged, this, &QueueTable::fitColumns);
-    connect(m_model, &QAbstractItemModel::modelReset, this, &QueueTable::fitColumns);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this,
+        [this] { m_chosen = chosen() ? std::optional(*chosen()) : std::nullopt; });
+    connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+        fitColumns();
+        if (m_chosen)
+            m_view->selectRow(m_model->placeOf(*m_chosen));
+    });
     m_view->viewport()->installEventFilter(this);
     fitColumns();
 }

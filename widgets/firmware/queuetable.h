@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 class QCheckBox;
 class QTableView;
@@ -44,6 +45,7 @@ private:
     QCheckBox *m_every = nullptr;
     QueueModel *m_model = nullptr;
     QTableView *m_view = nullptr;
+    std::optional<QueueLine> m_chosen; ///< while the model is made anew: other units come and go beside it
 };
 
 } // namespace mb

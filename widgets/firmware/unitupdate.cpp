@@ -35,15 +35,12 @@ const UpdateRoute *routeOf(const DeviceView *device)
     return device && !device->family->routes.empty() ? &device->family->routes.front() : nullptr;
 }
 
-const OperationView *updateOf(const Snapshot &shot, const DeviceView *device)
+std::optional<OperationView> updateOf(const Snapshot &shot, const DeviceView *device)
 {
-    if (!device)
-        return nullptr;
-    for (auto operation = shot.operations.rbegin(); operation != shot.operations.rend(); ++operation) {
-        if (operation->device == device->id && (operation->update || !operation->status.parts.empty()))
-            return &*operation;
-    }
-    return nullptr;
+    const auto found = std::find_if(shot.operations.rbegin(), shot.operations.rend(), [&](const OperationView &one) {
+        return device && one.device == device->id && (one.update || !one.status.parts.empty());
+    });
+    return found == shot.operations.rend() ? std::nullopt : std::optional(*found);
 }
 
 /// What a cancel leaves after so many pages.
@@ -80,6 +77,12 @@ std::pair<QString, Tone> endingOf(const UpdateReport &report, const UpdateWords 
 bool isRunning(const OperationView *operation)
 {
     return operation && operation->status.state == OperationStatus::State::Running;
+}
+
+/// Its estimate and its cancel are beside the queue.
+bool isOfQueue(const OperationView &operation)
+{
+    return operation.id == OperationId{};
 }
 
 } // namespace
@@ -202,6 +205,8 @@ void UnitUpdate::buildBody(QVBoxLayout &column)
 void UnitUpdate::loadImage(const QString &path)
 {
     m_image.load(path);
+    if (const auto &known = m_workbench.snapshot().operations; !known.empty())
+        m_lastOfOthers = known.back().id;
     inspectImage();
 }
 
@@ -241,17 +246,16 @@ void UnitUpdate::followRoute(const DeviceView *device, const OperationView *oper
 }
 
 /// What is being written is shown until it is over, whatever is selected meanwhile: on the link of the selected device first.
-const OperationView *UnitUpdate::shownOperation(const DeviceView *device) const
+std::optional<OperationView> UnitUpdate::shownOperation(const DeviceView *device) const
 {
     const Snapshot &shot = m_workbench.snapshot();
-    const auto running = runningUpdates(shot);
-    const auto own = std::ranges::find_if(
-        running, [device](const OperationView *operation) { return device && operation->device == device->id; });
-    if (own != running.end())
-        return *own;
-    if (const OperationView *beside = device ? updateOn(shot, device->link) : nullptr)
-        return beside;
-    return running.empty() ? updateOf(shot, device) : running.front();
+    const auto running = runningUpdates(m_workbench);
+    if (running.empty())
+        return updateOf(shot, device);
+    return *std::ranges::min_element(running, {}, [&](const OperationView &update) {
+        const DeviceView *unit = shot.device(update.device);
+        return !device || !unit ? 2 : unit == device ? 0 : unit->link == device->link ? 1 : 2;
+    });
 }
 
 /// Why nothing can be started, in words; empty when it can.
@@ -259,8 +263,10 @@ QString UnitUpdate::hindrance() const
 {
     const Snapshot &shot = m_workbench.snapshot();
     const DeviceView *device = shot.device(m_selection.device());
-    if (const OperationView *other = device ? updateOn(shot, device->link) : nullptr)
+    if (const auto other = device ? updateOn(m_workbench, device->link) : std::nullopt)
         return tr("One update a bus: %1 is being written.").arg(placeOf(shot, *other));
+    if (device && isServed(m_workbench, device->link))
+        return tr("Units are served on this link.");
     return m_route->missing();
 }
 
@@ -303,7 +309,8 @@ void UnitUpdate::follow()
         return;
     }
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    const OperationView *operation = shownOperation(device);
+    const auto shown = shownOperation(device);
+    const OperationView *const operation = shown ? &*shown : nullptr;
     followDevice(device);
     followRoute(device, operation);
     followChecks(device);
@@ -352,7 +359,7 @@ void UnitUpdate::followOrders(const DeviceView *device, const OperationView *ope
     m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity->state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
-    m_cancel->setEnabled(running && operation->status.mayInterrupt);
+    m_cancel->setEnabled(running && operation->status.mayInterrupt && !isOfQueue(*operation));
     const UpdateWords words = wordsFor(operation);
     m_cancel->setToolTip(running && !operation->status.mayInterrupt
             ? tableText(words.critical)
@@ -385,14 +392,15 @@ void UnitUpdate::followProgress(const OperationView *operation)
     m_progress->setRange(0, waiting ? 0 : std::max(status.total, 1));
     m_progress->setValue(status.done);
     const bool own = operation->device == m_selection.device();
-    m_side->map().setStates(own ? status.parts : std::map<int, PartState>());
+    const bool isOfImage = own && operation->id > m_lastOfOthers;
+    m_side->map().setStates(isOfImage ? status.parts : std::map<int, PartState>());
     if (!running)
         return showEnd(*operation);
     const QString where = placeOf(m_workbench.snapshot(), *operation) + QStringLiteral(": ");
     m_step->setText(where
         + (waiting ? messageText(status.step)
                    : tr("%1, %2 of %3 written").arg(messageText(status.step)).arg(status.done).arg(status.total)));
-    m_rate->setText(remaining(status));
+    m_rate->setText(isOfQueue(*operation) ? QString() : remaining(status));
     setTone(*m_step, Tone::Text);
 }
 
@@ -417,14 +425,13 @@ void UnitUpdate::followLog(const OperationView *operation)
     const OperationId id = operation ? operation->id : OperationId{};
     if (id != m_shownOperation) {
         m_shownOperation = id;
-        m_shownLines = 0;
         m_log->clear();
     }
     if (!operation)
         return;
     const auto &lines = operation->status.log;
-    for (; m_shownLines < lines.size(); ++m_shownLines)
-        m_log->add(lines[m_shownLines]);
+    for (auto i = static_cast<std::size_t>(m_log->count()); i < lines.size(); ++i)
+        m_log->add(lines[i]);
 }
 
 void UnitUpdate::followSafety(const OperationView *operation)

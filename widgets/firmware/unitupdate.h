@@ -51,7 +51,7 @@ private:
     void followSafety(const OperationView *operation);
     void followRoute(const DeviceView *device, const OperationView *operation);
     void showEnd(const OperationView &operation);
-    [[nodiscard]] const OperationView *shownOperation(const DeviceView *device) const;
+    [[nodiscard]] std::optional<OperationView> shownOperation(const DeviceView *device) const;
     [[nodiscard]] QString hindrance() const;
     [[nodiscard]] QString remaining(const OperationStatus &status) const;
     [[nodiscard]] UpdateWords wordsFor(const OperationView *operation) const;
@@ -75,7 +75,7 @@ private:
     UpdateLog *m_log = nullptr;
     UpdateSide *m_side = nullptr;
     OperationId m_shownOperation;
-    std::size_t m_shownLines = 0;
+    OperationId m_lastOfOthers; ///< operations so far were not of the image that is open
 };
 
 } // namespace mb

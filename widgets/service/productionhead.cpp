@@ -18,9 +18,10 @@
 
 namespace mb {
 
-ProductionHead::ProductionHead(const ThemeSource &theme, QWidget *parent)
+ProductionHead::ProductionHead(const ThemeSource &theme, QString &chosen, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
+    , m_chosen(chosen)
 {
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     auto *facts = new QHBoxLayout;
@@ -70,6 +71,7 @@ void ProductionHead::buildOrders(QWidget &orders)
     row->addSpring();
     for (QWidget *part : std::initializer_list<QWidget *>{open, m_arm, m_start})
         row->addWidget(part);
+    connect(m_link, qOverload<int>(&QComboBox::activated), this, &ProductionHead::keepLink);
     connect(open, &QPushButton::clicked, this, &ProductionHead::recipeWanted);
     connect(m_start, &QPushButton::clicked, this, &ProductionHead::startWanted);
     connect(m_arm, &HoldButton::activated, this, &ProductionHead::armWanted);
@@ -101,23 +103,30 @@ void ProductionHead::follow(const ServiceView &view)
     m_arm->setText(view.isArmed() ? tr("ARMED, hold to disarm") : tr("Hold to arm self-tests"));
 }
 
-void ProductionHead::follow(const Snapshot &shot)
+void ProductionHead::follow(const Snapshot &shot, const ServiceView &view)
 {
+    const bool serves = view.running && !view.links.empty();
+    const QString wanted = serves ? qt(view.links.front()) : m_chosen;
+    const QString before = link();
     QStringList addresses;
     for (const LinkView &link : shot.links) {
         if (link.state == LinkState::Open)
             addresses << qt(link.address);
     }
+    QStringList texts = addresses;
+    if (!wanted.isEmpty() && !addresses.contains(wanted)) {
+        addresses << wanted;
+        texts << tr("%1, not open").arg(wanted);
+    }
     QStringList known;
     for (int i = 0; i < m_link->count(); ++i)
-        known << m_link->itemData(i).toString();
-    if (addresses == known)
-        return;
-    const QString before = link();
-    m_link->clear();
-    for (const QString &address : addresses)
-        m_link->addItem(address, address);
-    m_link->setCurrentIndex(std::max(0, m_link->findData(before)));
+        known << m_link->itemText(i);
+    if (texts != known) {
+        m_link->clear();
+        for (int i = 0; i < texts.size(); ++i)
+            m_link->addItem(texts[i], addresses[i]);
+    }
+    m_link->setCurrentIndex(std::max(0, m_link->findData(wanted.isEmpty() ? before : wanted)));
 }
 
 QString ProductionHead::link() const

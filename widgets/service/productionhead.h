@@ -22,15 +22,18 @@ struct Snapshot;
 class ProductionHead : public QWidget {
     Q_OBJECT
 public:
-    ProductionHead(const ThemeSource &theme, QWidget *parent);
+    /// `chosen`: address of the link that somebody has chosen, which outlives this.
+    ProductionHead(const ThemeSource &theme, QString &chosen, QWidget *parent);
 
     /// The recipe of what is in sight; nullptr: none yet. `canStart`: the page has one of its own.
     void show(const service::RecipeMatter *matter, bool canStart);
     void follow(const ServiceView &view);
-    /// Offers the links that are open.
-    void follow(const Snapshot &shot);
+    /// Offers the links that are open; what was chosen stays so, whatever becomes of it. Shows the one that units are served on.
+    void follow(const Snapshot &shot, const ServiceView &view);
     /// Address of the chosen link; empty without one.
     [[nodiscard]] QString link() const;
+    /// It is the chosen one from now on, also where nobody has chosen it by hand.
+    void keepLink() { m_chosen = link(); }
     [[nodiscard]] HoldButton &armButton() const { return *m_arm; }
     [[nodiscard]] QLineEdit &serial() const { return *m_serial; }
 
@@ -48,6 +51,7 @@ private:
     void buildOrders(QWidget &orders);
 
     const ThemeSource &m_theme;
+    QString &m_chosen;
     QLabel *m_name = nullptr;
     QLabel *m_image = nullptr;
     QLabel *m_parameters = nullptr;

@@ -35,6 +35,11 @@ constexpr int widthForUnits = 960; ///< of the page, so that the verdict keeps i
 constexpr int heightForTiles = 480;
 constexpr int heightForKeys = 400;
 
+/// Of the program, not of one of its windows.
+struct ProductionLink {
+    QString chosen;
+};
+
 } // namespace
 
 ProductionPage::ProductionPage(
@@ -49,7 +54,7 @@ ProductionPage::ProductionPage(
     setFocusPolicy(Qt::StrongFocus);
     auto *column = layoutIn<QVBoxLayout>(this, 0);
     column->setSizeConstraint(QLayout::SetNoConstraint); // minimumSizeHint() knows what may be left out
-    column->addWidget(m_head = new ProductionHead(theme, this));
+    column->addWidget(m_head = new ProductionHead(theme, workbench.kept<ProductionLink>().chosen, this));
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_checks = new UnitChecks(theme, this));
     auto *row = new QHBoxLayout;
@@ -88,7 +93,7 @@ void ProductionPage::connectHead()
 
 void ProductionPage::followBench()
 {
-    m_head->follow(m_workbench.snapshot());
+    m_head->follow(m_workbench.snapshot(), m_workbench.service());
     m_checks->follow(m_workbench.snapshot(), m_workbench.journal(), m_head->link().toStdString());
 }
 
@@ -202,6 +207,7 @@ void ProductionPage::start()
         return;
     }
     m_setAside.clear();
+    m_head->keepLink();
     m_isOrdered = true;
     m_workbench.send(orders::ServeUnits{m_matter, {link}, 0}, guarded(this, [this](const Result<void> &result) {
         m_isOrdered = false;
