@@ -6541,6 +6541,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>ARMED, hold to disarm</source>
         <translation>SCHARF, halten: sichern</translation>
     </message>
+    <message>
+        <source>%1, not open</source>
+        <translation>%1, nicht offen</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProductionPage</name>
@@ -6861,6 +6865,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>Proposals</source>
         <translation>Vorschläge</translation>
     </message>
+    <message>
+        <source>found for other limits</source>
+        <translation>unter anderen Grenzen gefunden</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueBar</name>
@@ -7001,6 +7009,14 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>not tried again: %1</source>
         <translation>nicht noch einmal versucht: %1</translation>
+    </message>
+    <message>
+        <source>not tried again: it was served by %1; tick it and start</source>
+        <translation>nicht noch einmal versucht: es wurde nach %1 bedient; ankreuzen und starten</translation>
+    </message>
+    <message>
+        <source>%1 waits until this queue has ended</source>
+        <translation>%1 wartet, bis diese Warteschlange zu Ende ist</translation>
     </message>
 </context>
 <context>
@@ -9810,6 +9826,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
         <translation>%1 Cursor · %2 passt ein · + − zoomt · %3 hält an · N Notiz</translation>
     </message>
+    <message>
+        <source>%1, of another time</source>
+        <translation>%1, aus anderer Zeit</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrafficView</name>
@@ -10938,6 +10958,14 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Not kept</source>
         <translation>Nicht behalten</translation>
     </message>
+    <message>
+        <source>Find the gains anew</source>
+        <translation>Die Verstärkungen neu suchen</translation>
+    </message>
+    <message>
+        <source>Those that are shown were found for other limits.</source>
+        <translation>Die gezeigten wurden unter anderen Grenzen gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitChecks</name>
@@ -11194,6 +11222,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Before start</source>
         <translation>Vor dem Start</translation>
+    </message>
+    <message>
+        <source>Units are served on this link.</source>
+        <translation>An dieser Verbindung werden Geräte bedient.</translation>
     </message>
 </context>
 <context>
@@ -18923,6 +18955,26 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
         <translation>%1 geht nicht mehr von selbst zurück: Das Gerät war weg oder ist neu gestartet</translation>
+    </message>
+    <message>
+        <source>at most %1 counts/s with its P</source>
+        <translation>höchstens %1 counts/s mit diesem P</translation>
+    </message>
+    <message>
+        <source>cut its power, or look at it and say that it stands</source>
+        <translation>Strom abschalten, oder nachsehen und bestätigen, dass er steht</translation>
+    </message>
+    <message>
+        <source>its adapter has another name now; what was found under this one is not in the list any more</source>
+        <translation>sein Adapter hat jetzt einen anderen Namen; was unter diesem gefunden wurde, steht nicht mehr in der Liste</translation>
+    </message>
+    <message>
+        <source>node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is written</source>
+        <translation>auch Knoten %1 ist an dieser Leitung: er hört, was dem Bootloader gesagt wird, und vielleicht wird er beschrieben</translation>
+    </message>
+    <message>
+        <source>take all others off the line and scan it, or use a programmer on the pins</source>
+        <translation>alle anderen von der Leitung nehmen und dort suchen, oder ein Programmiergerät an den Stiften nehmen</translation>
     </message>
 </context>
 </TS>

@@ -6541,6 +6541,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>ARMED, hold to disarm</source>
         <translation>ARMADO, mantener: desarmar</translation>
     </message>
+    <message>
+        <source>%1, not open</source>
+        <translation>%1, no abierto</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProductionPage</name>
@@ -6861,6 +6865,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>Proposals</source>
         <translation>Propuestas</translation>
     </message>
+    <message>
+        <source>found for other limits</source>
+        <translation>hallados con otros límites</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueBar</name>
@@ -7001,6 +7009,14 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>not tried again: %1</source>
         <translation>no se vuelve a intentar: %1</translation>
+    </message>
+    <message>
+        <source>not tried again: it was served by %1; tick it and start</source>
+        <translation>no se vuelve a intentar: se atendió con %1; márquelo e inicie</translation>
+    </message>
+    <message>
+        <source>%1 waits until this queue has ended</source>
+        <translation>%1 espera a que termine esta cola</translation>
     </message>
 </context>
 <context>
@@ -9810,6 +9826,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
         <translation>%1 cursores · %2 encaja · + − amplía · %3 pausa · N nota</translation>
     </message>
+    <message>
+        <source>%1, of another time</source>
+        <translation>%1, de otro tiempo</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrafficView</name>
@@ -10938,6 +10958,14 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Not kept</source>
         <translation>No conservado</translation>
     </message>
+    <message>
+        <source>Find the gains anew</source>
+        <translation>Buscar de nuevo las ganancias</translation>
+    </message>
+    <message>
+        <source>Those that are shown were found for other limits.</source>
+        <translation>Las que se muestran se hallaron con otros límites.</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitChecks</name>
@@ -11194,6 +11222,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>Before start</source>
         <translation>Antes de empezar</translation>
+    </message>
+    <message>
+        <source>Units are served on this link.</source>
+        <translation>Se atienden equipos en este enlace.</translation>
     </message>
 </context>
 <context>
@@ -18923,6 +18955,26 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
         <translation>%1 ya no se restituye solo: la unidad no estaba o se ha reiniciado</translation>
+    </message>
+    <message>
+        <source>at most %1 counts/s with its P</source>
+        <translation>como máximo %1 counts/s con su P</translation>
+    </message>
+    <message>
+        <source>cut its power, or look at it and say that it stands</source>
+        <translation>corte su alimentación, o mírelo y confirme que está parado</translation>
+    </message>
+    <message>
+        <source>its adapter has another name now; what was found under this one is not in the list any more</source>
+        <translation>su adaptador tiene ahora otro nombre; lo encontrado con este ya no está en la lista</translation>
+    </message>
+    <message>
+        <source>node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is written</source>
+        <translation>el nodo %1 también está en esta línea: oye lo que se dice al bootloader, y puede ser el que se escribe</translation>
+    </message>
+    <message>
+        <source>take all others off the line and scan it, or use a programmer on the pins</source>
+        <translation>quite de la línea todos los demás y busque en ella, o use un programador en los pines</translation>
     </message>
 </context>
 </TS>

@@ -6541,6 +6541,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>ARMED, hold to disarm</source>
         <translation>ARMÉ, maintenir&#xa0;: désarmer</translation>
     </message>
+    <message>
+        <source>%1, not open</source>
+        <translation>%1, non ouvert</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProductionPage</name>
@@ -6861,6 +6865,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>Proposals</source>
         <translation>Propositions</translation>
     </message>
+    <message>
+        <source>found for other limits</source>
+        <translation>trouvés pour d’autres limites</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueBar</name>
@@ -7001,6 +7009,14 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>not tried again: %1</source>
         <translation>pas réessayé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>not tried again: it was served by %1; tick it and start</source>
+        <translation>pas réessayé : traité avec %1 ; cochez-le et démarrez</translation>
+    </message>
+    <message>
+        <source>%1 waits until this queue has ended</source>
+        <translation>%1 attend la fin de cette file</translation>
     </message>
 </context>
 <context>
@@ -9810,6 +9826,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
         <translation>%1 curseurs · %2 ajuste · + − zoome · %3 fige · N note</translation>
     </message>
+    <message>
+        <source>%1, of another time</source>
+        <translation>%1, d’un autre temps</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrafficView</name>
@@ -10938,6 +10958,14 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Not kept</source>
         <translation>Non conservé</translation>
     </message>
+    <message>
+        <source>Find the gains anew</source>
+        <translation>Chercher à nouveau les gains</translation>
+    </message>
+    <message>
+        <source>Those that are shown were found for other limits.</source>
+        <translation>Ceux qui sont affichés ont été trouvés pour d’autres limites.</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitChecks</name>
@@ -11194,6 +11222,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>Before start</source>
         <translation>Avant de démarrer</translation>
+    </message>
+    <message>
+        <source>Units are served on this link.</source>
+        <translation>Des appareils sont en cours de traitement sur cette liaison.</translation>
     </message>
 </context>
 <context>
@@ -18923,6 +18955,26 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
         <translation>%1 n’est plus rétabli automatiquement : l’unité avait disparu ou a redémarré</translation>
+    </message>
+    <message>
+        <source>at most %1 counts/s with its P</source>
+        <translation>au plus %1 counts/s avec son P</translation>
+    </message>
+    <message>
+        <source>cut its power, or look at it and say that it stands</source>
+        <translation>couper l’alimentation, ou vérifier et confirmer qu’il est à l’arrêt</translation>
+    </message>
+    <message>
+        <source>its adapter has another name now; what was found under this one is not in the list any more</source>
+        <translation>son adaptateur porte maintenant un autre nom ; ce qui a été trouvé sous celui-ci n&apos;est plus dans la liste</translation>
+    </message>
+    <message>
+        <source>node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is written</source>
+        <translation>le nœud %1 est aussi sur cette ligne : il entend ce qui est dit au bootloader, et c’est peut-être lui qui est écrit</translation>
+    </message>
+    <message>
+        <source>take all others off the line and scan it, or use a programmer on the pins</source>
+        <translation>retirez tous les autres de la ligne et relancez-y la recherche, ou utilisez un programmateur sur les broches</translation>
     </message>
 </context>
 </TS>

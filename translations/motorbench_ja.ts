@@ -6533,6 +6533,10 @@ double click or End returns to the present · right click for more</source>
         <source>ARMED, hold to disarm</source>
         <translation>駆動許可中、長押しで解除</translation>
     </message>
+    <message>
+        <source>%1, not open</source>
+        <translation>%1、開いていません</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProductionPage</name>
@@ -6852,6 +6856,10 @@ double click or End returns to the present · right click for more</source>
         <source>Proposals</source>
         <translation>候補</translation>
     </message>
+    <message>
+        <source>found for other limits</source>
+        <translation>別の限度で求めた値</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueBar</name>
@@ -6991,6 +6999,14 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>not tried again: %1</source>
         <translation>再試行しません: %1</translation>
+    </message>
+    <message>
+        <source>not tried again: it was served by %1; tick it and start</source>
+        <translation>再試行しません: %1 で処理されました。チェックを入れて開始してください</translation>
+    </message>
+    <message>
+        <source>%1 waits until this queue has ended</source>
+        <translation>%1 はこのキューが終わるまで待ちます</translation>
     </message>
 </context>
 <context>
@@ -9796,6 +9812,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
         <translation>%1 カーソル · %2 全体表示 · + − 拡大縮小 · %3 一時停止 · N メモ</translation>
     </message>
+    <message>
+        <source>%1, of another time</source>
+        <translation>%1、別の時刻</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrafficView</name>
@@ -10923,6 +10943,14 @@ double click plots it, drag it to a pane or below them</source>
         <source>Not kept</source>
         <translation>採用せず</translation>
     </message>
+    <message>
+        <source>Find the gains anew</source>
+        <translation>ゲインを求め直す</translation>
+    </message>
+    <message>
+        <source>Those that are shown were found for other limits.</source>
+        <translation>表示中のゲインは別の限度で求めたものです。</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitChecks</name>
@@ -11177,6 +11205,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Before start</source>
         <translation>開始前の確認</translation>
+    </message>
+    <message>
+        <source>Units are served on this link.</source>
+        <translation>このリンクでは機器を処理中です。</translation>
     </message>
 </context>
 <context>
@@ -18906,6 +18938,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
         <translation>%1 は自動では戻らなくなりました: ユニットが応答しなくなったか、再起動しました</translation>
+    </message>
+    <message>
+        <source>at most %1 counts/s with its P</source>
+        <translation>この P では最大 %1 counts/s です</translation>
+    </message>
+    <message>
+        <source>cut its power, or look at it and say that it stands</source>
+        <translation>電源を切るか、停止を目視で確認してその旨を知らせてください</translation>
+    </message>
+    <message>
+        <source>its adapter has another name now; what was found under this one is not in the list any more</source>
+        <translation>このアダプターの名前が今は別の名前です。この名前で見つかったものは一覧にもうありません</translation>
+    </message>
+    <message>
+        <source>node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is written</source>
+        <translation>ノード %1 もこの線につながっています。ブートローダへの通信を受け取り、書き込まれるのがそのノードかもしれません</translation>
+    </message>
+    <message>
+        <source>take all others off the line and scan it, or use a programmer on the pins</source>
+        <translation>ほかの機器をすべて線から外して検索するか、ピンに接続する書込み器を使用してください</translation>
     </message>
 </context>
 </TS>

@@ -6533,6 +6533,10 @@ double click or End returns to the present · right click for more</source>
         <source>ARMED, hold to disarm</source>
         <translation>已解锁，按住以上锁</translation>
     </message>
+    <message>
+        <source>%1, not open</source>
+        <translation>%1，未打开</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProductionPage</name>
@@ -6852,6 +6856,10 @@ double click or End returns to the present · right click for more</source>
         <source>Proposals</source>
         <translation>建议方案</translation>
     </message>
+    <message>
+        <source>found for other limits</source>
+        <translation>在其他限值下求得</translation>
+    </message>
 </context>
 <context>
     <name>mb::QueueBar</name>
@@ -6991,6 +6999,14 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>not tried again: %1</source>
         <translation>未重试：%1</translation>
+    </message>
+    <message>
+        <source>not tried again: it was served by %1; tick it and start</source>
+        <translation>未重试：它是按 %1 处理的；请勾选后开始</translation>
+    </message>
+    <message>
+        <source>%1 waits until this queue has ended</source>
+        <translation>%1 将等待此队列结束</translation>
     </message>
 </context>
 <context>
@@ -9796,6 +9812,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>%1 cursors · %2 fits · + − zooms · %3 pauses · N note</source>
         <translation>%1 光标 · %2 适配 · + − 缩放 · %3 暂停 · N 注释</translation>
     </message>
+    <message>
+        <source>%1, of another time</source>
+        <translation>%1，其他时间</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrafficView</name>
@@ -10923,6 +10943,14 @@ double click plots it, drag it to a pane or below them</source>
         <source>Not kept</source>
         <translation>未保留</translation>
     </message>
+    <message>
+        <source>Find the gains anew</source>
+        <translation>重新求取增益</translation>
+    </message>
+    <message>
+        <source>Those that are shown were found for other limits.</source>
+        <translation>所示增益是在其他限值下求得的。</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitChecks</name>
@@ -11177,6 +11205,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>Before start</source>
         <translation>开始之前</translation>
+    </message>
+    <message>
+        <source>Units are served on this link.</source>
+        <translation>此链路上正在处理设备。</translation>
     </message>
 </context>
 <context>
@@ -18906,6 +18938,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1 no longer goes back by itself: the unit was gone or has restarted</source>
         <translation>%1 不再自动恢复：该单元曾无应答或已重新启动</translation>
+    </message>
+    <message>
+        <source>at most %1 counts/s with its P</source>
+        <translation>用它的 P 最多 %1 counts/s</translation>
+    </message>
+    <message>
+        <source>cut its power, or look at it and say that it stands</source>
+        <translation>切断其电源，或查看后确认它已静止</translation>
+    </message>
+    <message>
+        <source>its adapter has another name now; what was found under this one is not in the list any more</source>
+        <translation>其适配器现在使用另一个名称；在此名称下找到的设备已不在列表中</translation>
+    </message>
+    <message>
+        <source>node %1 is on this line, too: it hears what the bootloader is told, and may be the one that is written</source>
+        <translation>节点 %1 也在这条线路上：它会听到发给引导程序的内容，被写入的可能就是它</translation>
+    </message>
+    <message>
+        <source>take all others off the line and scan it, or use a programmer on the pins</source>
+        <translation>将其他所有设备从线路上断开并搜索该线路，或使用接在引脚上的编程器</translation>
     </message>
 </context>
 </TS>
