@@ -101,7 +101,7 @@ TEST_F(GuardianBooks, ALinkThatIsOpenedAgainLeavesWhatItOwesInSight)
     owed.pay(link);
     owed.add(motor);
     owe(11min);
-    owed.leave(debtorLine);
+    owed.leave(link);
     clock.advance(2s);
     ASSERT_EQ(owed.unseen().size(), 1U);
     owed.pay(link);
@@ -141,7 +141,7 @@ TEST_F(GuardianBooks, ASecondProgramThatOpensTheLineEndsNothingForTheFirst)
     shown.pay(link);
     shown.add(motor);
     owe(11min);
-    shown.leave(debtorLine);
+    shown.leave(link);
     clock.advance(2s);
     GuardianClient second("nowhere", folder + "/run");
     OwedStops elsewhere(clock, devices, &second);
@@ -160,7 +160,7 @@ TEST_F(GuardianBooks, WhatIsDismissedWhileTheLineIsGoneIsNotStoppedWhenItIsBack)
     owed.pay(link);
     owed.add(motor);
     owe(0s);
-    owed.leave(debtorLine);
+    owed.leave(link);
     owed.dismiss();
     EXPECT_FALSE(book->exists());
     link.sent.clear();
