@@ -309,7 +309,9 @@ TEST_F(SessionLines, ALineThatIsBackUnderAnotherNameIsPaidAtOnceWhileTheLostOneI
     EXPECT_TRUE(guard.left.empty()) << "it is open here";
     guard.book = {owedTo(motorOn(*links[1], 4))};
     clock.advance(2s);
-    EXPECT_EQ(heard(0, 1), Bytes{stopByte}) << "what is written down later is paid here, too";
+    const Bytes later = heard(0, 1);
+    ASSERT_FALSE(later.empty());
+    EXPECT_EQ(later.front(), scriptByte) << "what is written down later is paid here, too";
 }
 
 } // namespace
