@@ -236,8 +236,8 @@ void Links::dropVanished()
 void Links::openByItself()
 {
     for (const LinkListing &listing : m_listings) {
-        if (listing.link.scheme == "socketcan" && listing.openable
-            && !m_context.session.linkBook().find(listing.link) && m_closedByHand.count(listing.link.text()) == 0)
+        if (listing.link.scheme == "socketcan" && listing.openable && !m_context.session.linkBook().find(listing.link)
+            && m_closedByHand.count(listing.link.text()) == 0)
             begin(listing.link.text(), openUnasked(listing.link));
     }
 }

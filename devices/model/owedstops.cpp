@@ -145,8 +145,8 @@ void OwedStops::settle(const std::string &line, const std::string &device)
 void OwedStops::leave(const Link &link)
 {
     std::erase_if(m_lines, [&link](const Line &one) { return one.link == &link; });
-    const bool isOpenElsewhere = std::ranges::any_of(m_lines,
-        [&link](const Line &one) { return one.link->line() == link.line(); }); // under another name
+    const bool isOpenElsewhere = std::ranges::any_of(
+        m_lines, [&link](const Line &one) { return one.link->line() == link.line(); }); // under another name
     if (m_guard && !isOpenElsewhere)
         m_guard->leave(link.line());
 }

@@ -221,8 +221,8 @@ TEST_F(Watching, EachStopIsOwedForTenMinutesOfItsOwn)
     run(10ms);
     port.now += 61s;
     watchman.proceed(port.now);
-    EXPECT_EQ(lines.back(),
-        "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it fell silent)");
+    EXPECT_EQ(
+        lines.back(), "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it fell silent)");
     EXPECT_TRUE(watchman.isOwing()) << "5 for nine more";
     watchman.pay(port.now);
     port.state = Port::Sent::All;

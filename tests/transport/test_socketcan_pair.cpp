@@ -374,8 +374,8 @@ TEST_F(SocketCanPair, WhatWaitedThroughAStallOfItsThreadIsNotCarriedOutAfterItAn
         ASSERT_TRUE(link->send(extendedFrame(1, {})));
     ASSERT_TRUE(link->send(extendedFrame(2, {7})));
     ASSERT_TRUE(link->send(extendedFrame(3, {}), Priority::Urgent));
-    std::this_thread::sleep_for(CanQueue::mostPatience + 50ms); // the thread has no turn
-    (void)taken();                                              // the cable is back
+    for (const Instant free = loop.clock().now() + CanQueue::mostPatience + 50ms; loop.clock().now() < free;) { }
+    (void)taken(); // the cable is back
     ASSERT_TRUE(loop.runUntil([this] { return link->backlog() == 0; }));
     const std::vector<can_frame> after = taken();
     ASSERT_EQ(after.size(), 1U);

@@ -45,6 +45,12 @@ std::string laneOf(const std::string &interface)
     return "can:" + interface;
 }
 
+Error busOff(const std::string &interface)
+{
+    return {Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", interface),
+        say("check wiring, termination and bit rate"), {}, Ailment::BusOff};
+}
+
 } // namespace
 
 /// Where recvmmsg writes to; set up once, the kernel changes lengths and flags only.
@@ -239,13 +245,7 @@ void SocketCanLink::takeInterface(const CanInterface &now)
         return;
     updateHealth(now.state, now.transmitErrors, now.receiveErrors);
     if (now.state == BusState::BusOff) // its error frame may have found no room in the socket
-        endAtBusOff();
-}
-
-void SocketCanLink::endAtBusOff()
-{
-    end({Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", address().path),
-        say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
+        end(busOff(address().path));
 }
 
 void SocketCanLink::countInterface()
@@ -334,7 +334,7 @@ void SocketCanLink::take(const can_frame &raw, Instant time)
     }
     deliver(frame);
     if (report.state == BusState::BusOff)
-        endAtBusOff();
+        end(busOff(address().path));
 }
 
 Instant SocketCanLink::stampOf(const msghdr &message, Duration unixOffset, Instant now)

@@ -65,7 +65,6 @@ private:
     void askKernel(Background &background);
     void takeInterface(const CanInterface &now);
     void countInterface();
-    void endAtBusOff();
     void flush();
     [[nodiscard]] bool tryLater(int cause);
     void failLater(int cause);
