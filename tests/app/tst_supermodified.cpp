@@ -24,7 +24,7 @@ namespace {
 constexpr const char *family = "supermodified";
 constexpr int node = 4;
 
-/// An `avrdude` of our own in PATH, which writes down what it is asked for and says that all went well.
+/// An `avrdude` of our own in PATH, which writes down what it is asked for, says that all went well, and leaves the node alone.
 class StandIn {
 public:
     StandIn()
@@ -69,12 +69,12 @@ bool isReady(WindowBench &bench)
 class SupermodifiedTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void theProgrammerIsChosenAndTheUpdateVerified();
+    void theProgrammerIsChosenAndANodeThatAnsweredAllTheWhileIsNotCalledUpdated();
     void itsOutputHasNoOptionsAndItsPositionCanBeZeroed();
     void pictures();
 };
 
-void SupermodifiedTest::theProgrammerIsChosenAndTheUpdateVerified()
+void SupermodifiedTest::theProgrammerIsChosenAndANodeThatAnsweredAllTheWhileIsNotCalledUpdated()
 {
     const StandIn avrdude;
     WindowBench bench;
@@ -106,8 +106,10 @@ void SupermodifiedTest::theProgrammerIsChosenAndTheUpdateVerified()
         return nullptr;
     };
     QTRY_VERIFY_WITH_TIMEOUT(report(), patience);
-    QVERIFY2(report()->outcome == UpdateOutcome::Done, report()->evidence.english().c_str());
-    QVERIFY(report()->verified);
+    QVERIFY2(report()->outcome == UpdateOutcome::Failed, report()->evidence.english().c_str());
+    QVERIFY2(report()->evidence.english().find("wrote another unit") != std::string::npos,
+        report()->evidence.english().c_str());
+    QVERIFY(!report()->verified);
     QVERIFY2(avrdude.calls().startsWith("-p m328p -c arduino -P /dev/ttyUSB7 -b "), avrdude.calls().constData());
     QVERIFY(!avrdude.calls().contains("fuse") && !avrdude.calls().contains("lock"));
 }
