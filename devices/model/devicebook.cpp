@@ -88,6 +88,8 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
     device.gate().setStopGate(m_stopGate);
     if (m_store)
         device.telemetry()->keepIn(m_store);
+    if (!m_keepsHistories)
+        device.telemetry()->keepNothing();
     m_memory.recall(device);
     entry.changed = device.changed().add([this, &entry] {
         recognise(entry);

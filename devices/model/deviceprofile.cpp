@@ -37,7 +37,7 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
 
 } // namespace
 
-std::string fileNameOf(std::string_view text)
+std::string fileNameOf(std::string_view text, std::string_view ending)
 {
     std::string name;
     for (const char c : text) {
@@ -49,7 +49,7 @@ std::string fileNameOf(std::string_view text)
     std::uint32_t hash = 2166136261U;
     for (const char c : text)
         hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-    return name + '-' + QString::number(hash, 16).toStdString() + ".json";
+    return (name + '-' + QString::number(hash, 16).toStdString()).append(ending);
 }
 
 std::string ProfileBook::pathOf(std::string_view key) const

@@ -32,7 +32,7 @@ struct DeviceProfile {
 };
 
 /// The name of a file about what this text names: readable, and different for different texts.
-[[nodiscard]] std::string fileNameOf(std::string_view text);
+[[nodiscard]] std::string fileNameOf(std::string_view text, std::string_view ending = ".json");
 
 /// The profiles of all devices as JSON files of one directory, one a device, named after its key (unit.h). The directory is made
 /// when the first one is saved.

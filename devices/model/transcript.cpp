@@ -3,7 +3,7 @@
 
 #include "files/filebytes.h"
 #include "model/device.h"
-#include "model/family.h"
+#include "model/deviceprofile.h"
 
 #include <QDir>
 
@@ -27,8 +27,7 @@ Transcript transcriptOf(
     const auto seconds = std::chrono::floor<std::chrono::seconds>(status.startedAt.time_since_epoch() + offset);
     Transcript made;
     made.folder = folder;
-    made.path = folder + '/' + std::string(device.family().key) + '-' + std::to_string(device.identity().address) + '-'
-        + std::to_string(seconds.count()) + ".log";
+    made.path = folder + '/' + fileNameOf(device.selector(), '-' + std::to_string(seconds.count()) + ".log");
     made.text = "# firmware update of " + device.selector() + '\n';
     for (const LogLine &line : status.log)
         made.text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text.english() + '\n';

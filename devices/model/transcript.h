@@ -11,7 +11,7 @@ namespace mb {
 /// The log of a firmware update as a file of its own: what was said and answered, with Unix time, and how it ended.
 struct Transcript {
     std::string folder; ///< made if need be
-    std::string path;
+    std::string path;   ///< another for each unit on each link, and for each second
     std::string text;
 };
 

@@ -2,6 +2,7 @@
 #include "recording/exportcsv.h"
 
 #include "async/outputfile.h"
+#include "files/csvtext.h"
 #include "recording/merge.h"
 
 #include <array>
@@ -29,19 +30,6 @@ std::string isoTime(Duration sinceEpoch)
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), "%s.%06dZ", day.data(), static_cast<int>(micros % 1'000'000));
     return text.data();
-}
-
-std::string quoted(const std::string &text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string safe = "\"";
-    for (const char c : text) {
-        if (c == '"')
-            safe += '"';
-        safe += c;
-    }
-    return safe + '"';
 }
 
 std::string oneLine(std::string text)
@@ -73,10 +61,10 @@ std::string headOf(const ExportPlan &plan)
     for (const TimedNote &note : plan.notes)
         head += "# note " + numberText(seconds(plan.clock.unixTime(note.time) - plan.clock.unixTime(plan.from)))
             + " s: " + oneLine(note.text) + '\n';
-    head += "time_s";
+    std::vector<std::string> titles{"time_s"};
     for (const ExportChannel &channel : plan.channels)
-        head += ',' + quoted(channel.unit.empty() ? channel.title() : channel.title() + " (" + channel.unit + ')');
-    return head + '\n';
+        titles.push_back(channel.unit.empty() ? channel.title() : channel.title() + " (" + channel.unit + ')');
+    return head + csvRow(titles);
 }
 
 /// One row of the table, filled column by column.

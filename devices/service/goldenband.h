@@ -16,6 +16,8 @@ struct Band {
 };
 
 constexpr int fewestForBand = 8;
+constexpr int visitsForBand
+    = 500; ///< the newest say what is usual now, and a journal of years is not read while motors turn
 
 /// Of one key of the self-tests of units that passed, each unit by its last visit; nothing for fewer than 8.
 [[nodiscard]] std::optional<Band> bandOf(const std::vector<Visit> &passed, const std::string &key);

@@ -31,6 +31,8 @@ struct VisitFilter {
     std::optional<double> since; ///< Unix, s
     std::optional<Outcome> outcome;
     std::optional<bool> simulated;
+    int newest = 0;    ///< only so many, the last of them; 0: all
+    bool steps = true; ///< with their steps
 };
 
 /// Where every unit is written down. Thread of the session; whoever implements it waits for disk and server in a thread of its

@@ -328,6 +328,8 @@ Task<Message> UnitRun::test()
     passed.recipeHash = m_visit.recipeHash;
     passed.outcome = Outcome::Passed;
     passed.simulated = m_visit.simulated;
+    passed.newest = visitsForBand;
+    passed.steps = false;
     const Result<std::vector<Visit>> others = co_await m_around.journal.visits(passed).attempt();
     const Message unusual = others ? markUnusual(finding.values, *others) : Message();
     m_visit.test = std::move(finding.values);

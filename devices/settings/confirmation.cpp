@@ -69,14 +69,12 @@ std::optional<ValueChange> takeOpen(std::vector<SettingsChange> &open, const Val
 /// Of a change its values that somebody has to keep.
 std::vector<ValueChange> openOf(const Family &family, const SettingsChange &change, std::vector<SettingsChange> &before)
 {
-    const bool asks
-        = change.purpose == Purpose::Provisional || change.purpose == Purpose::Undo || change.purpose == Purpose::Redo;
     std::vector<ValueChange> values;
     for (ValueChange value : change.values) {
         const auto over = value.proof == Proof::Refused ? std::nullopt : takeOpen(before, value);
         if (over && change.origin == Origin::Window)
             value.before = over->before;
-        if (asks || (over && change.origin == Origin::Window))
+        if (asksToBeKept(change.purpose) || (over && change.origin == Origin::Window))
             values.push_back(std::move(value));
     }
     return toConfirm(family, values);

@@ -55,6 +55,11 @@ enum class Purpose {
     Keep,        ///< somebody kept that of SettingsChange::of; writes nothing
     Store,       ///< seen to be stored, whatever was written before; writes nothing
 };
+/// Whether what such a change makes livelier goes back unless somebody keeps it: without its record nothing would take it back.
+[[nodiscard]] constexpr bool asksToBeKept(Purpose purpose)
+{
+    return purpose == Purpose::Provisional || purpose == Purpose::Undo || purpose == Purpose::Redo;
+}
 [[nodiscard]] std::string_view toString(Purpose purpose);
 [[nodiscard]] Purpose purposeFromString(std::string_view text);
 

@@ -6,6 +6,7 @@
 #include "model/unit.h"
 #include "model/writeorder.h"
 #include "settings/history.h"
+#include "settings/snapshots.h"
 
 #include <algorithm>
 
@@ -93,14 +94,17 @@ void notKept(Progress &progress, const Error &error)
     progress.log(Severity::Caution, say("the history does not have this write: %1", error.message()));
 }
 
-/// The change is on the disk; nothing where nothing is kept, or the disk failed, which is told.
+/// The change is on the disk; nothing where nothing is kept, or the disk failed, which is told. NotKept of what asks to be kept.
 Task<std::optional<std::int64_t>> beginKept(SettingsLog *log, SettingsChange change, Progress &progress)
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
+    const bool asks = asksToBeKept(change.purpose);
     const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
+    if (asks)
+        co_return fail(keepsNothing(begun.error()));
     notKept(progress, begun.error());
     co_return std::nullopt;
 }

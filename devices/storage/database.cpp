@@ -109,7 +109,8 @@ Result<void> Database::connect()
     if (QSqlDatabase::contains(qt(m_connection)))
         close();
     const QFileInfo file(qt(m_path));
-    m_readOnly = file.exists() ? !file.isWritable() : !QFileInfo(file.absolutePath()).isWritable();
+    const bool takesFiles = QFileInfo(file.absolutePath()).isWritable(); // its log stands beside it
+    m_readOnly = !takesFiles || (file.exists() && !file.isWritable());
     if (m_readOnly && !file.exists())
         return fail(
             Fault::NotKept, say("%1 cannot be written", file.absolutePath().toStdString()), say("check its rights"));

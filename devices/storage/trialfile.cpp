@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/trialfile.h"
 
+#include "files/csvtext.h"
 #include "files/filebytes.h"
 #include "files/qttext.h"
 #include "storage/trialjson.h"
@@ -42,16 +43,6 @@ QByteArray samplesAsCsv(const Trial &trial)
     return QByteArray::fromStdString(text);
 }
 
-std::string quoted(const std::string &text)
-{
-    if (text.find_first_of(",\"\n") == std::string::npos)
-        return text;
-    std::string inside;
-    for (const char c : text)
-        inside += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return '"' + inside + '"';
-}
-
 std::string gainsOf(const Trial &trial)
 {
     std::string gains;
@@ -60,19 +51,20 @@ std::string gainsOf(const Trial &trial)
     return gains;
 }
 
-std::string csvRow(const KeptTrial &kept)
+std::string rowOf(const KeptTrial &kept)
 {
     const Trial &t = kept.trial;
     const auto truth = [](bool yes) { return yes ? "1" : "0"; };
-    std::string text = std::to_string(kept.number) + ',' + timeOf(kept) + ',' + quoted(t.device) + ',' + quoted(t.unit)
-        + ',' + t.firmware + ',' + truth(t.simulated) + ',' + std::string(toString(t.mode)) + ','
-        + std::to_string(t.axis) + ',' + std::to_string(t.slot) + ',' + std::string(toString(t.stimulus.profile)) + ','
-        + numberText(t.stimulus.from) + ',' + numberText(t.stimulus.to) + ',' + std::to_string(t.repeat);
+    std::vector<std::string> cells{std::to_string(kept.number), csvTime(kept.time), t.device, t.unit, t.firmware,
+        truth(t.simulated), std::string(toString(t.mode)), std::to_string(t.axis), std::to_string(t.slot),
+        std::string(toString(t.stimulus.profile)), numberText(t.stimulus.from), numberText(t.stimulus.to),
+        std::to_string(t.repeat)};
     for (const tuning::MetricKey &key : tuning::metricKeys())
-        text += ',' + (t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : std::string());
-    return text + ',' + quoted(flagsOf(t)) + ',' + t.reason + ',' + truth(t.stopped) + ',' + std::to_string(t.samples)
-        + ',' + std::to_string(t.lost) + ',' + truth(kept.star) + ',' + quoted(kept.note) + ',' + quoted(gainsOf(t))
-        + '\n';
+        cells.push_back(t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : "");
+    cells.insert(cells.end(),
+        {flagsOf(t), t.reason, truth(t.stopped), std::to_string(t.samples), std::to_string(t.lost), truth(kept.star),
+            kept.note, gainsOf(t)});
+    return csvRow(cells);
 }
 
 QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
@@ -82,7 +74,7 @@ QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
         text += ',' + std::string(key.key);
     text += ",flags,reason,stopped,samples,lost,star,note,gains\n";
     for (const KeptTrial &kept : trials)
-        text += csvRow(kept);
+        text += rowOf(kept);
     return QByteArray::fromStdString(text);
 }
 

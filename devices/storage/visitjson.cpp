@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/visitjson.h"
 
+#include "files/csvtext.h"
 #include "files/filebytes.h"
 #include "files/jsonfields.h"
 #include "files/qttext.h"
 #include "model/parameter.h"
 
-#include <QDateTime>
-
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -36,37 +36,18 @@ QString evidenceOf(const Visit &visit)
     return qt(joined(joined(visit.cause, visit.remedy), trail).english());
 }
 
-std::string csvCell(const std::string &text)
+std::string rowOf(const Visit &v, const std::set<std::string> &keys)
 {
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-        return text;
-    std::string inside;
-    for (const char c : text)
-        inside += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return '"' + inside + '"';
-}
-
-std::string isoTime(double time)
-{
-    return QDateTime::fromMSecsSinceEpoch(std::llround(time * 1e3), Qt::UTC).toString(Qt::ISODate).toStdString();
-}
-
-std::string csvRow(const Visit &v, const std::set<std::string> &keys)
-{
-    std::string row;
-    const std::string number = v.number ? std::to_string(*v.number) : std::string();
-    const std::string count = v.parameters ? std::to_string(*v.parameters) : std::string();
-    for (const std::string &cell : {isoTime(v.time), v.station, v.person, v.recipe, v.recipeHash, v.imageHash, v.unit,
-             v.serial, v.device, std::string(toString(v.outcome)), std::string(toString(v.step)), v.from, v.to, count,
-             number, numberText(std::round(v.seconds * 10.0) / 10.0), v.cause.english(), v.remedy.english(),
-             v.evidence.english(), v.note})
-        row += (row.empty() ? "" : ",") + csvCell(cell);
+    std::vector<std::string> cells{csvTime(v.time), v.station, v.person, v.recipe, v.recipeHash, v.imageHash, v.unit,
+        v.serial, v.device, std::string(toString(v.outcome)), std::string(toString(v.step)), v.from, v.to,
+        v.parameters ? std::to_string(*v.parameters) : "", v.number ? std::to_string(*v.number) : "",
+        numberText(std::round(v.seconds * 10.0) / 10.0), v.cause.english(), v.remedy.english(), v.evidence.english(),
+        v.note};
     for (const std::string &key : keys) {
-        row += ',';
-        for (const TestValue &value : v.test)
-            row += value.key == key && value.value ? numberText(*value.value) : std::string();
+        const auto measured = std::ranges::find(v.test, key, &TestValue::key);
+        cells.push_back(measured != v.test.end() && measured->value ? numberText(*measured->value) : "");
     }
-    return row + '\n';
+    return csvRow(cells);
 }
 
 } // namespace
@@ -136,7 +117,7 @@ Result<void> exportVisits(const std::string &path, const std::vector<Visit> &vis
         text += ',' + key;
     text += '\n';
     for (const Visit &visit : visits)
-        text += csvRow(visit, keys);
+        text += rowOf(visit, keys);
     return saveFile(path, QByteArray::fromStdString(text));
 }
 

@@ -128,7 +128,8 @@ const std::string &putStatement()
     return statement;
 }
 
-Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &rest, const QVariantList &values)
+Result<std::vector<KeptVisit>> select(
+    SqlConnection &sql, const std::string &rest, const QVariantList &values, bool withSteps = true)
 {
     std::vector<KeptVisit> visits;
     auto read = sql.run(("SELECT " + std::string(visitColumns) + " FROM service_visit " + rest).c_str(), values,
@@ -139,7 +140,7 @@ Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &res
     const std::string steps = "SELECT step, time, ended, detail, visit FROM service_step WHERE visit IN "
                               "(SELECT id FROM service_visit "
         + rest + ") ORDER BY visit, place";
-    if (read && !visits.empty())
+    if (read && withSteps && !visits.empty())
         read = sql.run(steps.c_str(), values, [&byId](const QSqlQuery &row) {
             if (const auto found = byId.find(textAt(row, 4)); found != byId.end())
                 found->second->steps.push_back({service::stepFromString(textAt(row, 0)), row.value(1).toDouble(),
@@ -188,7 +189,10 @@ Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::Visi
         add("outcome = ?", qt(toString(*filter.outcome)));
     if (filter.simulated)
         add("simulated = ?", *filter.simulated ? 1 : 0);
-    return select(sql, where + " ORDER BY time, id", values);
+    if (filter.newest > 0)
+        where = "WHERE id IN (SELECT id FROM service_visit " + where + " ORDER BY time DESC, id DESC LIMIT "
+            + std::to_string(filter.newest) + ')';
+    return select(sql, where + " ORDER BY time, id", values, filter.steps);
 }
 
 Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id)

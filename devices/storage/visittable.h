@@ -19,7 +19,7 @@ struct KeptVisit {
 [[nodiscard]] Result<void> putVisit(SqlConnection &sql, const KeptVisit &kept);
 /// All of them, in one transaction.
 [[nodiscard]] Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits);
-/// Oldest first, with their steps.
+/// Oldest first.
 [[nodiscard]] Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::VisitFilter &filter);
 [[nodiscard]] Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id);
 

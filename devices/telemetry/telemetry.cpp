@@ -53,7 +53,8 @@ void Telemetry::append(const Sample &sample)
     Live &live = m_live[sample.channel.value];
     live.measure(sample.time);
     live.latest = Point{sample.time, sample.value};
-    push({sample.time, sample.value, 0, sample.channel, Kind::Measured});
+    if (m_keeps)
+        push({sample.time, sample.value, 0, sample.channel, Kind::Measured});
     m_samples.notify(sample);
 }
 

@@ -46,6 +46,9 @@ public:
     void breakLine(ChannelIndex channel);
     /// Chunks beyond the store's budget go to its file. Once, before the first sample.
     void keepIn(const std::shared_ptr<ChunkStore> &store);
+    /// From now on no sample is recorded: for programs that never look back. What is latest, the rates and what was lost are
+    /// known all the same.
+    void keepNothing() { m_keeps = false; }
     /// Once a batch of frames, or a tick.
     void commit();
     [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }
@@ -113,6 +116,7 @@ private:
     std::atomic<const Channel *> m_table;
     std::vector<Live> m_live;
     std::vector<Pending> m_pending;
+    bool m_keeps = true;
     Listeners<const Sample &> m_samples;
 
     mutable std::mutex m_mutex; ///< guards m_histories

@@ -245,6 +245,25 @@ TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
     EXPECT_EQ(known("current_limit.peak"), old * 2);
 }
 
+TEST_F(SettingsCore, WhatNothingWouldTakeBackIsNotWrittenWhereItsRecordCannotBeKept)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old / 2)}));
+    ASSERT_TRUE(database->run(
+        "CREATE TRIGGER full BEFORE INSERT ON change BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
+    const auto wider = write({change("current_limit.peak", old * 2)});
+    core.send(orders::UndoWrite{id(), false}, heard());
+    for (const Result<void> &refused : {wider, ends()}) {
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().fault, Fault::NotKept) << refused.error().text();
+    }
+    EXPECT_EQ(known("current_limit.peak"), old / 2);
+    EXPECT_TRUE(write({change("current_limit.peak", old / 4)})) << "that is safer";
+    EXPECT_EQ(known("current_limit.peak"), old / 4);
+    EXPECT_EQ(changes().size(), 1U);
+}
+
 TEST_F(SettingsCore, ASecondWriteDoesNotWalkAroundTheQuestion)
 {
     clock.advance(3s);

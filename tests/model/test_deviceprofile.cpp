@@ -53,7 +53,7 @@ TEST_F(Profiles, AFileNameKeepsLettersDigitsAndDashes)
     EXPECT_EQ(fileNameOf("azAZ09-_").substr(0, 9), "azAZ09-_-");
     EXPECT_EQ(fileNameOf("/:@[`{ .~\xC3\xA4").substr(0, 12), "...........-");
     EXPECT_EQ(fileNameOf("a"), "a-e40c292c.json") << "a hash FNV-1a of the whole";
-    EXPECT_EQ(fileNameOf(""), "-811c9dc5.json");
+    EXPECT_EQ(fileNameOf("", ".log"), "-811c9dc5.log");
 }
 
 TEST_F(Profiles, AWholeNumberIsKeptExactlyOrNotAtAll)

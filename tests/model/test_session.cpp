@@ -258,6 +258,17 @@ TEST(Session, DrivesNoDeviceThatItFindsWhileStopIsPressed)
     EXPECT_TRUE(bench.session.stream(*bench.device(5)).start(setPoint, 60s));
 }
 
+TEST(Session, ThatKeepsNoHistoriesHasNoneOfADevice)
+{
+    SimulatedSession bench;
+    bench.session.keepNoHistories();
+    bench.scan();
+    bench.clock.advance(1s);
+    const Telemetry &telemetry = *bench.device(5)->telemetry();
+    EXPECT_EQ(telemetry.size(*telemetry.find("velocity")), 0U);
+    EXPECT_TRUE(telemetry.latest(*telemetry.find("velocity")));
+}
+
 TEST(Session, ASerialNumberThatIsLearnedLaterMakesNoOtherUnitOfADevice)
 {
     SimulatedSession bench;

@@ -218,6 +218,27 @@ TEST(Telemetry, TellsItsMemory)
     EXPECT_LE(telemetry.memoryUse() - empty, 1'600'000U);
 }
 
+TEST(Telemetry, ThatKeepsNothingDoesNotGrowAndKnowsWhatIsLatestAndLost)
+{
+    Telemetry telemetry(channels);
+    telemetry.keepNothing();
+    int heard = 0;
+    const Subscription hearing = telemetry.samples().add([&heard](const Sample &) { ++heard; });
+    const std::size_t empty = telemetry.memoryUse();
+    for (int i = 1; i <= 1'000'000; ++i) {
+        telemetry.append({position, at(i), static_cast<double>(i)});
+        if (i % 1000 == 0)
+            telemetry.lost(position, 2);
+    }
+    telemetry.commit();
+    EXPECT_EQ(telemetry.memoryUse(), empty);
+    EXPECT_EQ(telemetry.size(position), 0U);
+    EXPECT_EQ(telemetry.lost(position), 2000U);
+    EXPECT_EQ(telemetry.latest(position)->value, 1'000'000.0);
+    EXPECT_NEAR(telemetry.rate(position, at(1'000'000)), 1000.0, 1.0);
+    EXPECT_EQ(heard, 1'000'000);
+}
+
 /// Also a test of the ThreadSanitizer build: one engine, two readers, a user who clears.
 TEST(Telemetry, IsReadWhileItIsWritten)
 {

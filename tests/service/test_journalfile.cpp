@@ -96,6 +96,29 @@ TEST_F(JournalFiles, TheVisitsOfARunStandInTheirOrderThoughTheClockIsSetBack)
     EXPECT_EQ(visits.back().unit, "4");
 }
 
+TEST_F(JournalFiles, TheNewestOfManyVisitsAreReadAloneAndWithoutTheirStepsWhereThatIsWanted)
+{
+    std::vector<KeptVisit> all;
+    for (int i = 0; i < 60; ++i) {
+        all.push_back({passed({}), 1});
+        all.back().visit.id = all.back().visit.unit = std::to_string(i);
+        all.back().visit.time = 1000.0 - i;
+        all.back().visit.outcome = i == 7 ? Outcome::Failed : Outcome::Passed;
+    }
+    ASSERT_TRUE(putVisits(*books.database, all));
+    service::VisitFilter filter;
+    filter.outcome = Outcome::Passed;
+    filter.newest = 50;
+    for (const bool steps : {true, false}) {
+        filter.steps = steps;
+        const auto visits = books.visits(filter);
+        ASSERT_EQ(visits.size(), 50U);
+        EXPECT_EQ(visits.front().unit, "50") << "oldest first";
+        EXPECT_EQ(visits.back().unit, "0");
+        EXPECT_EQ(visits.front().steps.size(), steps ? 1U : 0U);
+    }
+}
+
 TEST_F(JournalFiles, ARunOfAProgramThatStillRunsIsNotThereToBeResumed)
 {
     const Visit visit = opened(*books.journal, "a");
@@ -254,9 +277,9 @@ TEST_F(JournalFiles, AFolderThatCannotBeWrittenIsReadAndTakesNoEntry)
     const QString folder = books.folder.path();
     const QString file = qt(books.path("motorbench.db"));
     const auto readable = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
-    ASSERT_TRUE(QFile::setPermissions(file, readable));
     ASSERT_TRUE(QFile::setPermissions(folder, readable | QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther));
-    {
+    for (const auto rights : {readable, readable | QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther}) {
+        ASSERT_TRUE(QFile::setPermissions(file, rights));
         const OrdinaryUser user;
         auto opened = Database::open(books.path("motorbench.db"));
         ASSERT_TRUE(opened) << opened.error().text();

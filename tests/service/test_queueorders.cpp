@@ -2,6 +2,7 @@
 // What the user of a running queue orders: pause, skip, retry, end, stop.
 #include "async/sleep.h"
 #include "queuebench.h"
+#include "service/goldenband.h"
 
 namespace mb::service {
 namespace {
@@ -58,7 +59,7 @@ TEST_F(ServiceQueues, AQueueThatWasEndedTriesNothingAgainAndKeepsItsVerdict)
     EXPECT_EQ(run.queue.counts().failed, 1);
 }
 
-/// A journal whose disk takes a second for a new visit.
+/// A journal whose disk takes a second for a new visit. It keeps what was last asked of it.
 class SlowJournal final : public ServiceJournal {
 public:
     SlowJournal(ServiceJournal &journal, Clock &clock)
@@ -77,6 +78,7 @@ public:
     [[nodiscard]] Task<Visit> write(Visit visit) override { return m_journal.write(std::move(visit)); }
     [[nodiscard]] Task<std::vector<Visit>> visits(VisitFilter filter) override
     {
+        asked = filter;
         return m_journal.visits(std::move(filter));
     }
     [[nodiscard]] Task<std::optional<int>> number(NumberWish wish) override
@@ -84,11 +86,24 @@ public:
         return m_journal.number(std::move(wish));
     }
     bool isOpening = false;
+    VisitFilter asked;
 
 private:
     ServiceJournal &m_journal;
     Clock &m_clock;
 };
+
+TEST_F(ServiceQueues, ASelfTestIsComparedWithTheNewestThatPassedAndNotWithAWholeJournal)
+{
+    UnitRack rack({"dmc60c:7,serial=210334000003"});
+    const RecipeMatter matter = load(rack, shortText);
+    SlowJournal journal(*books->journal, rack.clock);
+    QueueRun run(rack, *books, matter, {}, &journal);
+    ASSERT_TRUE(run.run());
+    EXPECT_EQ(journal.asked.outcome, Outcome::Passed);
+    EXPECT_EQ(journal.asked.newest, visitsForBand);
+    EXPECT_FALSE(journal.asked.steps);
+}
 
 TEST_F(ServiceQueues, AUnitThatIsLeftOutWhileItsVisitIsBeingOpenedIsNotServed)
 {
