@@ -73,7 +73,7 @@ void Axis::setCounter(std::int32_t value)
 {
     const std::int32_t before = counter();
     m_origin = m_motor.counts() - value;
-    m_reference += value - before;
+    m_reference += static_cast<double>(value) - before;
     m_lastRead = value;
     m_window.clear();
 }
