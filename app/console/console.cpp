@@ -14,7 +14,7 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     , m_memoryTrouble(m_session.memory().scanTrouble().add([this](const Message &text) { note(text.english()); }))
     , m_profileTrouble(m_session.memory().profileTrouble().add([](const Message &text) { complain(text.english()); }))
 {
-    m_session.keepNoHistories();
+    m_session.keepHistoriesIn(nullptr); // it never looks back
     m_session.memory().keepProfiles(profileFolder());
     m_session.memory().keepScans(scanFolder());
 }

@@ -87,9 +87,7 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
     device.guard().setSource(m_guard);
     device.gate().setStopGate(m_stopGate);
     if (m_store)
-        device.telemetry()->keepIn(m_store);
-    if (!m_keepsHistories)
-        device.telemetry()->keepNothing();
+        device.telemetry()->keepIn(*m_store);
     m_memory.recall(device);
     entry.changed = device.changed().add([this, &entry] {
         recognise(entry);

@@ -13,6 +13,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,9 @@ public:
     /// All of them outlive it. Without a guard, devices that have no watchdog cannot be driven on real links.
     DeviceBook(Clock &clock, LinkBook &links, SessionMemory &memory, MotionGuard *guard);
 
-    /// For devices found from now on: where recordings go beyond their memory budget, that there are none, and what keeps them
-    /// from being driven.
+    /// For devices found from now on: where recordings go beyond their memory budget (Telemetry::keepIn), and what keeps them from
+    /// being driven.
     void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_store = std::move(store); }
-    void keepNoHistories() { m_keepsHistories = false; }
     void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
 
     /// The device that has answered, known or new. Another session under the same number is the same unit after a power cycle,
@@ -84,8 +84,7 @@ private:
     LinkBook &m_links;
     SessionMemory &m_memory;
     MotionGuard *m_guard;
-    std::shared_ptr<ChunkStore> m_store;
-    bool m_keepsHistories = true;
+    std::optional<std::shared_ptr<ChunkStore>> m_store;
     const std::atomic<bool> *m_stopGate = nullptr;
     std::uint32_t m_lastId = 0;
     Listeners<Device &> m_added;

@@ -29,10 +29,9 @@ public:
     [[nodiscard]] SessionMemory &memory() { return m_memory; }
     [[nodiscard]] LinkBook &linkBook() { return m_links; }
 
-    /// Where the recordings of all devices go beyond a memory budget; for devices found from now on.
+    /// Where the recordings of all devices go beyond a memory budget; nullptr: nothing is recorded, and memory does not grow with what
+    /// devices send (Telemetry::keepIn). For devices found from now on.
     void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_devices.keepHistoriesIn(std::move(store)); }
-    /// For a program that never looks back: its memory does not grow with what devices send. For devices found from now on.
-    void keepNoHistories() { m_devices.keepNoHistories(); }
     /// While it is true nothing is driven (MotionGate::setStopGate); for devices found from now on. Outlives the session.
     void setStopGate(const std::atomic<bool> *gate) { m_devices.setStopGate(gate); }
     /// From now on what may block, opening ports and writing what is kept, is done there. Outlives the session.

@@ -170,6 +170,7 @@ std::optional<History::Statistics> Telemetry::statistics(ChannelIndex channel, I
 
 void Telemetry::keepIn(const std::shared_ptr<ChunkStore> &store)
 {
+    m_keeps = store != nullptr;
     const std::lock_guard lock(m_mutex);
     for (History &history : m_histories)
         history.keepIn(store);

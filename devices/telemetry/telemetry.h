@@ -44,11 +44,9 @@ public:
     void lost(ChannelIndex channel, std::uint64_t count);
     /// The next sample does not connect to the last one, and nobody knows whether any is missing.
     void breakLine(ChannelIndex channel);
-    /// Chunks beyond the store's budget go to its file. Once, before the first sample.
+    /// Chunks beyond the store's budget go to its file; nullptr: no sample is recorded, while what is latest, the rates and what was
+    /// lost are known all the same. Once, before the first sample.
     void keepIn(const std::shared_ptr<ChunkStore> &store);
-    /// From now on no sample is recorded: for programs that never look back. What is latest, the rates and what was lost are
-    /// known all the same.
-    void keepNothing() { m_keeps = false; }
     /// Once a batch of frames, or a tick.
     void commit();
     [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }

@@ -261,7 +261,7 @@ TEST(Session, DrivesNoDeviceThatItFindsWhileStopIsPressed)
 TEST(Session, ThatKeepsNoHistoriesHasNoneOfADevice)
 {
     SimulatedSession bench;
-    bench.session.keepNoHistories();
+    bench.session.keepHistoriesIn(nullptr);
     bench.scan();
     bench.clock.advance(1s);
     const Telemetry &telemetry = *bench.device(5)->telemetry();

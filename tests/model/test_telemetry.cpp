@@ -221,7 +221,7 @@ TEST(Telemetry, TellsItsMemory)
 TEST(Telemetry, ThatKeepsNothingDoesNotGrowAndKnowsWhatIsLatestAndLost)
 {
     Telemetry telemetry(channels);
-    telemetry.keepNothing();
+    telemetry.keepIn(nullptr);
     int heard = 0;
     const Subscription hearing = telemetry.samples().add([&heard](const Sample &) { ++heard; });
     const std::size_t empty = telemetry.memoryUse();
