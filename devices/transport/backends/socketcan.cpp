@@ -245,7 +245,7 @@ void SocketCanLink::takeInterface(const CanInterface &now)
         return;
     updateHealth(now.state, now.transmitErrors, now.receiveErrors);
     if (now.state == BusState::BusOff) // its error frame may have found no room in the socket
-        end(busOff(address().path));
+        endLater(busOff(address().path));
 }
 
 void SocketCanLink::countInterface()
@@ -296,13 +296,13 @@ bool SocketCanLink::receive()
     return isMore;
 }
 
-void SocketCanLink::failLater(int cause)
+void SocketCanLink::endLater(Error loss)
 {
-    // Told from the clock: whoever sends does not expect to be called back. What was received before counts first.
-    m_failed.startIn(Duration::zero(), [this, reason = socketFailure(address().path, cause)] {
-        receive();
+    // Told from the clock: whoever sends or counts does not expect to be called back. What was received before counts first.
+    m_failed.startIn(Duration::zero(), [this, loss = std::move(loss)] {
+        catchUp();
         if (state() == LinkState::Open)
-            end(reason);
+            end(loss);
     });
 }
 
@@ -385,7 +385,7 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
         if (!health().stuckSince)
             setStuckSince(clock().now());
         if (!tryLater(cause)) {
-            failLater(cause);
+            endLater(socketFailure(address().path, cause));
             return fail(socketFailure(address().path, cause));
         }
     }
@@ -406,7 +406,7 @@ void SocketCanLink::flush()
             if (!health().stuckSince)
                 setStuckSince(clock().now());
             if (!tryLater(cause))
-                failLater(cause);
+                endLater(socketFailure(address().path, cause));
             return;
         }
         m_queue.wentOut(next);

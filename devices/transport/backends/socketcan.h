@@ -67,7 +67,7 @@ private:
     void countInterface();
     void flush();
     [[nodiscard]] bool tryLater(int cause);
-    void failLater(int cause);
+    void endLater(Error loss);
     void end(Error loss);
 
     int m_given = -1;
