@@ -252,7 +252,7 @@ void Controller::updateLiveness()
 
 // What asks and waits
 
-Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange>)
 {
     if (parameters().parameter(index).id == id::gainP && m_motion.isEnergized())
         co_await m_motion.bounds().checkGain(raw, m_motion.applied().value_or(SetPoint()), m_motion.count().error());

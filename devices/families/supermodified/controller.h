@@ -44,7 +44,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override { return m_settings.read(index); }
-    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
 
     // Device, at once

@@ -90,7 +90,7 @@ Result<Line::Request> NodeSettings::request(Command command, std::int64_t raw) c
 Task<void> NodeSettings::writeNumber(Command command, std::int64_t raw)
 {
     auto order = co_await request(command, raw);
-    m_line.roster().noteSetting(m_node.id, command, std::nullopt); // a write that is broken off may be in the node
+    m_line.roster().noteSent(m_node.id, command, raw);
     (void)co_await talk(order);
     co_return {};
 }

@@ -68,6 +68,12 @@ void Roster::noteSetting(int node, Command command, std::optional<std::int64_t> 
     }
 }
 
+void Roster::noteSent(int node, Command command, std::int64_t raw)
+{
+    const auto &gain = m_nodes[node].gainP;
+    noteSetting(node, command, command == Command::P && gain ? std::optional(std::max(*gain, raw)) : std::nullopt);
+}
+
 bool Roster::isClaimed(int id, int node) const
 {
     return std::ranges::any_of(m_nodes, [id, node](const auto &known) {

@@ -36,9 +36,10 @@ public:
     void noteUnreadMask(int node);
     void noteNextMask(int node, std::uint8_t written);
     void noteNextId(int node, int written);
-    /// P, and velocity and acceleration of a profile: not known from when another value is sent until it is acknowledged. What
-    /// other commands set is not kept.
+    /// P, and velocity and acceleration of a profile, once acknowledged. What other commands set is not kept.
     void noteSetting(int node, Command command, std::optional<std::int64_t> raw);
+    /// It is sent and not acknowledged: of P the greater one bounds, for either may be in force, what else is kept is not known.
+    void noteSent(int node, Command command, std::int64_t raw);
     /// Another node than `node` has this id, or will have it after a restart.
     [[nodiscard]] bool isClaimed(int id, int node) const;
     /// Any other node.
