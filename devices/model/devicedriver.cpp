@@ -10,14 +10,14 @@ DeviceDriver::DeviceDriver(const Family &family)
 {
 }
 
-Task<void> DeviceDriver::mayWrite(ParameterIndex index, std::int64_t raw)
+Task<void> DeviceDriver::mayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before)
 {
     const Parameter &parameter = m_family.parameters[index.value];
     if (parameter.access == Access::ReadOnly)
         co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
     if (!offers(index))
         co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", parameter.key));
-    co_await doMayWrite(index, raw);
+    co_await doMayWrite(index, raw, before);
     co_return {};
 }
 
@@ -31,7 +31,7 @@ Task<void> DeviceDriver::rename(std::string)
     co_return fail(Fault::Unsupported, say("%1 has no name", m_family.title));
 }
 
-Task<void> DeviceDriver::doMayWrite(ParameterIndex, std::int64_t)
+Task<void> DeviceDriver::doMayWrite(ParameterIndex, std::int64_t, std::span<const ParameterChange>)
 {
     co_return {};
 }

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,10 @@ public:
     [[nodiscard]] const Family &family() const { return m_family; }
     /// False for a parameter of the family's table that this device's dialect does not have.
     [[nodiscard]] virtual bool offers(ParameterIndex) const { return true; }
-    /// Why this value cannot be written, as far as that is known before it is: the device is told nothing.
-    [[nodiscard]] Task<void> mayWrite(ParameterIndex index, std::int64_t raw);
+    /// Why this value cannot be written after those `before` it, as far as that is known before they are: the device is told nothing.
+    /// They outlive it.
+    [[nodiscard]] Task<void> mayWrite(
+        ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before = {});
     /// Versions and descriptors from the device itself.
     [[nodiscard]] virtual Task<void> refresh() = 0;
     /// Makes what was written survive a power cycle and proves it where the device can: true; false where it cannot.
@@ -63,7 +66,7 @@ protected:
 
     virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
     /// A family's own reasons besides those that all have; what must be asked for them is asked.
-    virtual Task<void> doMayWrite(ParameterIndex index, std::int64_t raw);
+    virtual Task<void> doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before);
     virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
     virtual Task<void> doRestart();
     /// A family's own reasons besides those that all have.

@@ -6,6 +6,7 @@
 #include "model/writeorder.h"
 
 #include <algorithm>
+#include <span>
 
 namespace mb {
 namespace {
@@ -116,8 +117,11 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 
 Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes)
 {
-    for (const ParameterChange change : changes) {
-        const Result<void> allowed = co_await device.mayWrite(change.index, change.raw).attempt();
+    arrangeForWriting(device.family(), device.parameters(), changes);
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        const ParameterChange change = changes[i];
+        auto asking = device.mayWrite(change.index, change.raw, std::span(changes).first(i));
+        const Result<void> allowed = co_await std::move(asking).attempt();
         if (!allowed)
             co_return TransferOutcome{change.index, fail(allowed.error()), std::nullopt};
     }

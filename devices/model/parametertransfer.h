@@ -31,7 +31,7 @@ struct TransferOutcome {
 /// came; what was not written stays lost, so that it can be run again after any cut.
 [[nodiscard]] Task<int> rewriteSettings(Device &device, Progress &progress);
 
-/// What may not be written (Device::mayWrite), the first of them; nothing where all may.
+/// What may not be written (Device::mayWrite) in the order of writing, the first of them; nothing where all may.
 [[nodiscard]] Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes);
 
 /// Writes, where all may be written, in the order that is never livelier in between (arrangeForWriting()), however they are given; each is read back and compared (a Counter that was cleared with 0, and a Live one with nothing).

@@ -364,6 +364,26 @@ TEST_F(AbstractDcLead, AGainThatIsRaisedTooFarLeavesAllThatWereOrderedWithItUnwr
     stream.stop();
 }
 
+TEST_F(AbstractDcLead, GainsThatAreCalmerInTheEndAreWrittenInTheOrderInWhichTheyAre)
+{
+    Simulator &drive = add("abstractdc:3,gains=default,load=60");
+    ASSERT_TRUE(drive.disturb("stall", 1.0));
+    open(3, &dialectF);
+    gains("velocity", 50, 0);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 600.0), 60s));
+    clock.advance(500ms);
+    NoProgress unseen;
+    EXPECT_FALSE(test::run(clock, device->mayWrite(index("velocity.d"), 2))) << "with the P of now it would wrap";
+    const auto outcomes
+        = test::run(clock, writeParameters(*device, {{index("velocity.d"), 2}, {index("velocity.p"), 10}}, unseen));
+    ASSERT_TRUE(outcomes);
+    ASSERT_EQ(outcomes->size(), 2U);
+    EXPECT_EQ(outcomes->at(0).raw, 10);
+    EXPECT_EQ(outcomes->at(1).raw, 2);
+    stream.stop();
+}
+
 /// The drive's counter has 32 bits, which last for three hours at this speed.
 TEST_F(AbstractDcLead, AVelocityStaysWhatItIsWhereThePositionWraps)
 {

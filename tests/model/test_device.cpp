@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <span>
 
 namespace mb {
 namespace {
@@ -110,7 +111,10 @@ private:
         return {};
     }
     [[nodiscard]] bool offers(ParameterIndex index) const override { return missing != index; }
-    Task<void> doMayWrite(ParameterIndex, std::int64_t) override { co_return ownReason; }
+    Task<void> doMayWrite(ParameterIndex, std::int64_t, std::span<const ParameterChange>) override
+    {
+        co_return ownReason;
+    }
     Result<void> doMayMove() const override { return ownReason; }
     Result<void> doMayStop() const override { return ownReason; }
     void doStop() override { ++stops; }

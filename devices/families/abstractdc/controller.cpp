@@ -10,11 +10,13 @@
 #include <QtGlobal>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace mb::abstractdc {
 namespace {
@@ -382,7 +384,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
     co_return fail(Fault::Unsupported, say("an Abstract DC Drive cannot be asked for its settings"));
 }
 
-Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before)
 {
     const Parameter &parameter = parameters().parameter(index);
     co_await m_desk.mayWrite(parameter, raw);
@@ -390,8 +392,9 @@ Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t raw)
         const double error = m_logs.hasPassed(clock().now())
             ? std::abs(m_sentTarget - m_logs.feedback(loop, m_sentTarget).value_or(0.0))
             : std::numeric_limits<double>::infinity(); // README.md#first-pass
-        const ParameterChange change{index, raw};
-        co_return mayChange(parameters(), change, error, m_probe.most());
+        std::vector<ParameterChange> changes(before.begin(), before.end());
+        changes.push_back({index, raw});
+        co_return mayChange(parameters(), changes, error, m_probe.most());
     }
     co_return {};
 }
@@ -400,7 +403,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &parameter = parameters().parameter(index);
     if (const Loop loop = loopOf(parameter); m_ours && m_logs.loop() == loop) {
-        const ParameterChange change{index, raw};
+        const std::array change{ParameterChange{index, raw}};
         m_probe.limit(greatestError(parameters(), loop, m_logs.hasPassed(clock().now()), m_probe.most(), change));
     }
     co_return co_await m_desk.write(parameter, raw);

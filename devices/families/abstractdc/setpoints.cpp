@@ -39,14 +39,15 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
 }
 
 /// Output per unit of error in a pass of so many milliseconds, in which the error may turn from one end to the other; nothing where it is
-/// not known.
+/// not known. With the changes.
 std::optional<double> strengthOf(
-    const ParameterStore &known, Loop loop, double milliseconds, const std::optional<ParameterChange> &change = {})
+    const ParameterStore &known, Loop loop, double milliseconds, std::span<const ParameterChange> changes = {})
 {
     const auto number = [&](Field field) -> std::optional<double> {
         const auto index = parameterOf(loop, field);
-        if (index && change && change->index == *index)
-            return static_cast<double>(change->raw);
+        const auto last = std::ranges::find(changes.rbegin(), changes.rend(), index, &ParameterChange::index);
+        if (last != changes.rend())
+            return static_cast<double>(last->raw);
         const auto raw = index ? known.entry(*index).raw : std::nullopt;
         return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
     };
@@ -96,23 +97,25 @@ bool knowsGains(const ParameterStore &known, Loop loop)
     return strengthOf(known, loop, laterPass).has_value();
 }
 
-double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown,
-    const std::optional<ParameterChange> &change)
+double greatestError(
+    const ParameterStore &known, Loop loop, bool hasPassed, double unknown, std::span<const ParameterChange> changes)
 {
-    const auto with = [&](const std::optional<ParameterChange> &sent) {
+    const auto with = [&](std::span<const ParameterChange> sent) {
         const auto strength = strengthOf(known, loop, hasPassed ? laterPass : firstPass, sent);
         if (!strength)
             return unknown;
         return *strength > 0.0 ? std::floor(safeOutput / *strength) : farthest;
     };
-    return std::min(with(std::nullopt), with(change));
+    return changes.empty() ? with({}) : std::min(with(changes), with(changes.first(changes.size() - 1)));
 }
 
-Result<void> mayChange(const ParameterStore &known, const ParameterChange &change, double error, double unknown)
+Result<void> mayChange(
+    const ParameterStore &known, std::span<const ParameterChange> changes, double error, double unknown)
 {
-    const Loop loop = loopOf(known.parameter(change.index));
-    const double most = greatestError(known, loop, true, unknown, change);
-    if (std::max(error, 1.0) <= most || most >= greatestError(known, loop, true, unknown))
+    const Loop loop = loopOf(known.parameter(changes.back().index));
+    const double most = greatestError(known, loop, true, unknown, changes);
+    if (std::max(error, 1.0) <= most
+        || most >= greatestError(known, loop, true, unknown, changes.first(changes.size() - 1)))
         return {};
     return fail(Fault::Unsafe,
         say("the motor is so far from its target that with this value the output would turn to full reverse"),

@@ -10,6 +10,7 @@
 #include "async/clock.h"
 
 #include <optional>
+#include <span>
 
 namespace mb::abstractdc {
 
@@ -30,13 +31,14 @@ struct Command {
 /// P, D and divisor of the loop were written, by us or by somebody we heard.
 [[nodiscard]] bool knowsGains(const ParameterStore &known, Loop loop);
 /// The greatest error with which what P and D make of it stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last
-/// written, whether or not `change` came after it; `unknown` where nobody knows that (LeadProbe). 0: none does. `hasPassed`: the loop's
+/// written and the changes after it, whether or not the last of them came; `unknown` where nobody knows that (LeadProbe). 0: none does. `hasPassed`: the loop's
 /// first pass, which may be short, is over.
 [[nodiscard]] double greatestError(const ParameterStore &known, Loop loop, bool hasPassed, double unknown,
-    const std::optional<ParameterChange> &change = {});
-/// Unsafe where the loop, so far from its target, would wrap with that; a weaker one never would. `unknown` as in greatestError().
+    std::span<const ParameterChange> changes = {});
+/// Unsafe where the loop, so far from its target, would wrap with the last of the changes, the others having come; a weaker one never
+/// would. `unknown` as in greatestError().
 [[nodiscard]] Result<void> mayChange(
-    const ParameterStore &known, const ParameterChange &change, double error, double unknown);
+    const ParameterStore &known, std::span<const ParameterChange> changes, double error, double unknown);
 
 /// There is a target from which neither the speed of now nor the one that the first pass measures is too far (README.md#first-pass); else
 /// Unsafe. `unknown` as in greatestError().

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,10 @@ public:
     /// The drive has begun anew: what was not saved is not in force any more.
     void restarted();
     /// What was sent and may be in force, although no answer has proved it yet.
-    [[nodiscard]] const std::optional<ParameterChange> &unproven() const { return *m_unproven; }
+    [[nodiscard]] std::span<const ParameterChange> unproven() const
+    {
+        return *m_unproven ? std::span(&**m_unproven, 1) : std::span<const ParameterChange>();
+    }
     /// The averaging in force is none of 1 … 500 (somebody else wrote it), and so it is when the drive begins anew.
     [[nodiscard]] bool overrunsEver() const;
     /// How often each loop was saved since its page was erased, for Identity::descriptors.

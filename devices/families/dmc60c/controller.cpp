@@ -184,7 +184,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     return m_desk.read(static_cast<std::uint8_t>(parameters().parameter(index).id));
 }
 
-Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t, std::span<const ParameterChange>)
 {
     // A loop that holds may have no output either; a set-point is told of one frame later, and ends with the heartbeat.
     const bool ordered = m_commandedAt != Instant{} && clock().now() - m_commandedAt <= heartbeat;

@@ -36,7 +36,7 @@ public:
 private:
     // Device, what asks and waits
     Task<std::int64_t> doRead(ParameterIndex index) override;
-    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<void> doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
     Task<void> doRestart() override;
 

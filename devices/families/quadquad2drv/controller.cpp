@@ -238,7 +238,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     return readParameter(m_port, index);
 }
 
-Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t)
+Task<void> Controller::doMayWrite(ParameterIndex index, std::int64_t, std::span<const ParameterChange>)
 {
     const int axis = index.value / parametersPerAxis;
     const bool isCounter
