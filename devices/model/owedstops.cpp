@@ -46,6 +46,11 @@ std::vector<OwedStop> OwedStops::unseen() const
     return unseen;
 }
 
+bool OwedStops::isOwed(std::string_view line, std::string_view selector) const
+{
+    return std::ranges::any_of(m_owed, [&](const OwedStop &one) { return isOf(one, line, selector); });
+}
+
 bool OwedStops::isFollowed(const OwedStop &owed, const Link *on) const
 {
     const std::vector<Device *> all = m_devices.all();

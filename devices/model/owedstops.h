@@ -5,6 +5,7 @@
 #include "model/motionguard.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mb {
@@ -20,6 +21,8 @@ public:
 
     /// Those whose device does not show its own stop or motion. As of the last change of ours, or of the last second.
     [[nodiscard]] std::vector<OwedStop> unseen() const;
+    /// As of the same moment; whether or not its device follows it.
+    [[nodiscard]] bool isOwed(std::string_view line, std::string_view selector) const;
     /// A link was opened: what is owed on its line, now or later, is this program's business, and is sent before anything else.
     void pay(Link &link);
     /// The link of a device is closed while nobody has seen its motor stand: the stop stays.

@@ -129,12 +129,9 @@ Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::ve
     }
     if (!error.remedy.empty())
         co_return fail(std::move(error));
-    for (Device *const known : m_devices.on(link)) {
-        const bool isMeant = known->family().key == selector.family && known->identity().address == selector.address;
-        if (isMeant && (known->stopping().hasMoved() || known->stopping().mayTurn()))
-            co_return fail(Fault::Unsafe, say("the motor was not seen to stand"),
-                say("cut its power, or look at it and say that it stands"));
-    }
+    if (m_stops.mayTurn(link, selector))
+        co_return fail(Fault::Unsafe, say("the motor was not seen to stand"),
+            say("cut its power, or look at it and say that it stands"));
     Identity silent;
     silent.family = selector.family;
     silent.address = selector.address;

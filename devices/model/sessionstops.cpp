@@ -45,6 +45,15 @@ void SessionStops::beforeClose(const Link &link)
     }
 }
 
+bool SessionStops::mayTurn(const Link &link, const DeviceSelector &selector) const
+{
+    const std::vector<Device *> found = m_devices.on(link);
+    return m_owed.isOwed(link.line(), selector.text()) || std::ranges::any_of(found, [&selector](Device *device) {
+        return device->family().key == selector.family && device->identity().address == selector.address
+            && (device->stopping().hasMoved() || device->stopping().mayTurn());
+    });
+}
+
 void SessionStops::dismiss()
 {
     m_owed.dismiss();

@@ -24,6 +24,8 @@ public:
     void leave(const Link &link) { m_owed.leave(link); }
     /// To motors of which no device of the session shows what became of them.
     [[nodiscard]] std::vector<OwedStop> owed() const { return m_owed.unseen(); }
+    /// This unit was driven, by whomever, and nobody has seen it stand since.
+    [[nodiscard]] bool mayTurn(const Link &link, const DeviceSelector &selector) const;
     /// The user has looked at the motors: nothing is owed any more.
     void dismiss();
     /// Starts the buffered moves of every device on the link of `lead` at the same moment. Unsafe when one of them is not

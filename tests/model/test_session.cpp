@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/fakeguard.h"
 #include "support/simulatedsession.h"
 
 #include <gtest/gtest.h>
@@ -146,6 +147,27 @@ TEST(Session, ConnectsToExactlyTheDeviceThatWasNamed)
     EXPECT_EQ(missing.error().fault, Fault::Timeout);
     EXPECT_FALSE(connect(bench, "sim:can/abstractdc:7"));
     EXPECT_FALSE(connect(bench, "sim:can/dmc60c:7@0001"));
+}
+
+TEST(Session, YieldsNoSilentUnitWhoseStopAnEarlierRunStillOwes)
+{
+    VirtualClock clock;
+    test::FakeGuard guard;
+    Session session(clock, families(), &guard);
+    Link &link = **session.openLink(*LinkAddress::parse("sim:can"));
+    for (Simulator *one : session.bench(link)->simulators())
+        one->setPowered(!one->name().starts_with("abstractdc"));
+    const auto silent = [&](const char *selector) {
+        return test::run(clock, session.connect(*DeviceSelector::parse(selector), true));
+    };
+    guard.book.push_back({link.line(), "socketcan:can0/abstractdc:3", {}, clock.now()});
+    clock.advance(2s);
+    const auto owed = silent("sim:can/abstractdc:3");
+    ASSERT_FALSE(owed);
+    EXPECT_EQ(owed.error().fault, Fault::Unsafe) << owed.error().text();
+    EXPECT_TRUE(silent("sim:can/abstractdc:6"));
+    session.stops().dismiss();
+    EXPECT_TRUE(silent("sim:can/abstractdc:3"));
 }
 
 TEST(Session, YieldsASilentUnitWhereItIsMeantAndAnotherWayInLeadsToIt)
