@@ -24,16 +24,17 @@ void Links::carryOut(const orders::OpenLink &order, const Finished &finished)
 {
     const std::string text = order.address.text();
     m_openings[text].finished.push_back(finished);
-    begin(text, openAll(expandLink(order.address, m_context.session.families())));
+    open(text, expandLink(order.address, m_context.session.families()));
 }
 
-void Links::begin(const std::string &address, Task<void> task)
+void Links::open(const std::string &name, std::vector<LinkAddress> addresses)
 {
-    Opening &opening = m_openings[address];
+    Opening &opening = m_openings[name];
     if (opening.scope)
         return; // it is under way
     opening.scope = std::make_unique<Scope>(m_context.clock);
-    opening.scope->spawn<void>(std::move(task), [this, address](const Result<void> &result) { end(address, result); });
+    opening.scope->spawn<void>(
+        openAll(name, std::move(addresses)), [this, name](const Result<void> &result) { end(name, result); });
 }
 
 void Links::end(const std::string &address, const Result<void> &result)
@@ -45,18 +46,21 @@ void Links::end(const std::string &address, const Result<void> &result)
         finished(result);
 }
 
-Task<void> Links::openAll(std::vector<LinkAddress> addresses)
+/// Somebody may ask for it meanwhile.
+Task<void> Links::openAll(std::string name, std::vector<LinkAddress> addresses)
 {
     for (const LinkAddress &one : addresses) {
-        m_closedByHand.erase(one.text());
         auto opening = m_context.session.openLinkSoon(one);
         const Result<Link *> link = co_await std::move(opening).attempt();
+        const bool isAsked = !m_openings[name].finished.empty();
+        if (isAsked)
+            m_closedByHand.erase(one.text());
         if (!link) {
-            couldNotOpen(one, link.error());
+            if (isAsked)
+                couldNotOpen(one, link.error());
             co_return fail(link.error());
         }
-        opened(**link);
-        m_open[*link].byItself = false;
+        opened(**link, isAsked);
         m_scans.scan(**link);
     }
     co_return {};
@@ -69,25 +73,17 @@ void Links::couldNotOpen(const LinkAddress &address, const Error &error)
     m_failed[address.text()] = diagnose(error);
 }
 
-void Links::opened(Link &link)
+void Links::opened(Link &link, bool isAsked)
 {
-    m_failed.erase(link.address().text());
-    m_awaited.forget(link.address().text());
+    const LinkAddress address = link.address();
+    const bool wasMissing = m_failed.erase(address.text()) > 0;
+    m_awaited.forget(address.text());
+    const bool isNew = m_open.count(&link) == 0;
     follow(link);
-}
-
-void Links::openAwaited(const LinkAddress &address)
-{
-    begin(address.text(), openReturned(address)); // it may not be ready yet
-}
-
-Task<void> Links::openReturned(LinkAddress address)
-{
-    Link *const link = co_await m_context.session.openLinkSoon(address);
-    opened(*link);
-    m_context.log.tell(Severity::Good, address.shortName(), say("is there"));
-    m_scans.scan(*link);
-    co_return {};
+    if (isNew || isAsked)
+        m_open[&link].byItself = !isAsked && !wasMissing;
+    if (wasMissing && !isAsked)
+        m_context.log.tell(Severity::Good, address.shortName(), say("is there"));
 }
 
 Result<void> Links::mayClose(const Link &link) const
@@ -149,7 +145,7 @@ void Links::stateChanged(Link &link, LinkState state)
 void Links::look()
 {
     reopenLost();
-    m_awaited.look([this](const LinkAddress &address) { openAwaited(address); });
+    m_awaited.look([this](const LinkAddress &address) { open(address.text(), {address}); }); // it may not be ready yet
 }
 
 void Links::reopenLost()
@@ -190,7 +186,7 @@ bool Links::replace(Link &link)
     if (byItself)
         openByItself();
     else
-        begin(address.text(), openAll({address}));
+        carryOut(orders::OpenLink{address}, [](const Result<void> &) {}); // its user asked for it
     return true;
 }
 
@@ -238,17 +234,8 @@ void Links::openByItself()
     for (const LinkListing &listing : m_listings) {
         if (listing.link.scheme == "socketcan" && listing.openable && !m_context.session.linkBook().find(listing.link)
             && m_closedByHand.count(listing.link.text()) == 0)
-            begin(listing.link.text(), openUnasked(listing.link));
+            open(listing.link.text(), {listing.link});
     }
-}
-
-Task<void> Links::openUnasked(LinkAddress address)
-{
-    Link *const link = co_await m_context.session.openLinkSoon(address);
-    opened(*link);
-    m_open[link].byItself = true;
-    m_scans.scan(*link);
-    co_return {};
 }
 
 void Links::describe(Snapshot &shot) const

@@ -35,7 +35,7 @@ public:
     void carryOut(const orders::SendFrame &order, const Finished &finished);
 
 private:
-    /// A link that is being opened, and who waits for it.
+    /// A link that is being opened, and who waits for it; nobody where it opens by itself.
     struct Opening {
         std::vector<Finished> finished;
         std::unique_ptr<Scope> scope;
@@ -46,15 +46,12 @@ private:
         Subscription state;
     };
 
-    void begin(const std::string &address, Task<void> task);
+    void open(const std::string &name, std::vector<LinkAddress> addresses);
     void end(const std::string &address, const Result<void> &result);
-    [[nodiscard]] Task<void> openAll(std::vector<LinkAddress> addresses);
-    [[nodiscard]] Task<void> openReturned(LinkAddress address);
-    [[nodiscard]] Task<void> openUnasked(LinkAddress address);
+    [[nodiscard]] Task<void> openAll(std::string name, std::vector<LinkAddress> addresses);
     [[nodiscard]] Result<void> mayClose(const Link &link) const;
     void couldNotOpen(const LinkAddress &address, const Error &error);
-    void opened(Link &link);
-    void openAwaited(const LinkAddress &address);
+    void opened(Link &link, bool isAsked);
     void openByItself();
     void follow(Link &link);
     void stateChanged(Link &link, LinkState state);

@@ -152,6 +152,9 @@ TEST_F(SlowWork, AnInterfaceThatIsUpIsOpenedElsewhereTooAndOnceAlthoughSomebodyA
     clock.advance(10ms);
     ASSERT_TRUE(opened && !*opened);
     EXPECT_TRUE(unasked.session().links().empty());
+    const Snapshot shot = unasked.snapshot();
+    ASSERT_EQ(shot.failed.size(), 1U) << "whoever asked is told, although it had begun by itself";
+    EXPECT_EQ(shot.failed[0].address, "socketcan:nothere0");
 }
 
 TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenStaysClosed)
