@@ -149,11 +149,11 @@ Result<int> verdictOf(const Device &device, const Outcome &outcome)
                 ? say("the stop was not confirmed by %1 within a second (%2)", device.selector(), outcome.why)
                 : say("the stop was not confirmed by %1 within a second", device.selector()),
             say("cut its power if the motor still turns"));
-    if (!outcome.released && !outcome.interrupted)
-        return fail(outcome.released.error());
     if (outcome.isGuarded())
         return fail(Fault::Unsafe, say("stopped for safety: %1", outcome.why),
             say("remove the cause before it is driven again"));
+    if (!outcome.released && !outcome.interrupted)
+        return fail(outcome.released.error());
     return exitDone;
 }
 
