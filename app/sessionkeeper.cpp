@@ -2,6 +2,7 @@
 #include "app/sessionkeeper.h"
 
 #include "app/mainwindow.h"
+#include "async/seconds.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/connection/deviceactions.h"
 
@@ -42,9 +43,7 @@ SessionKeeper::SessionKeeper(MainWindow &window, Workbench &workbench, SessionBo
 
 qint64 SessionKeeper::unixNow() const
 {
-    return std::chrono::duration_cast<std::chrono::seconds>(
-        m_workbench.now().time_since_epoch() + m_workbench.unixOffset())
-        .count();
+    return static_cast<qint64>(unixSeconds(m_workbench));
 }
 
 SessionRecord SessionKeeper::present() const

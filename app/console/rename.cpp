@@ -46,7 +46,9 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
         return fail(*notebook.trouble());
     const std::string place = unitKeyOf(device);
     const std::string old(unitTagIn(notebook.settings()->resolved(place)));
-    MB_TRY_VOID(notebook.settings()->setTag(place, name));
+    MB_TRY(const auto left, notebook.settings()->setTag(place, name));
+    if (!left.empty())
+        console.note("number " + left.substr(left.rfind(':') + 1) + " of this line was called so, and has no name now");
     const std::string now(unitTagIn(notebook.settings()->resolved(place)));
     return finish(console, device, old, name, now, "kept on this computer");
 }

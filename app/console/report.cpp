@@ -7,6 +7,7 @@
 #include "app/console/verb.h"
 #include "app/console/windowprogram.h"
 #include "async/outputfile.h"
+#include "async/seconds.h"
 #include "model/unit.h"
 #include "storage/reportmatter.h"
 
@@ -103,8 +104,7 @@ Result<Report> gather(Console &console, Database &database, ReportWish wish, std
     if (unit && !units.empty())
         units.front().describe(*unit);
     Report report;
-    report.time = std::chrono::duration<double>(console.clock().now().time_since_epoch() + console.clock().unixOffset())
-                      .count();
+    report.time = unixSeconds(console.clock());
     report.program = "MotorBench " MOTORBENCH_VERSION;
     report.units = std::move(units);
     return report;
@@ -133,6 +133,7 @@ Task<int> report(Console &console, ReportArguments a)
     std::optional<ReportUnit> unit;
     if (wish.target) {
         unit = co_await readUnit(console, *wish.target);
+        console.onlyAsk();
     }
     const auto gathered = co_await gather(console, *database, wish.matter, std::move(unit));
     const bool served

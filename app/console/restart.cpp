@@ -16,6 +16,7 @@ Task<int> restart(Console &console, std::string text)
         co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target.family->key),
             say("switch it off and on"));
     Device *const device = co_await connect(console, target);
+    co_await device->link().address().takesOrders();
     if (const Duration wait = target.family->capabilities.storesAfter; wait > Duration::zero())
         console.note(
             "it restarts once what was written is stored, which takes up to " + numberText(secondsOf(wait)) + " s");

@@ -39,6 +39,7 @@ Result<std::vector<LinkAddress>> linksOf(const Console &console, const ServiceAr
     MB_TRY(const auto named, parseLinks(console, a.links));
     std::vector<LinkAddress> links;
     for (const LinkAddress &link : named) {
+        MB_TRY_VOID(link.takesOrders());
         if (serves(family, kindOf(link)))
             links.push_back(link);
         else if (!link.isSimulated())

@@ -158,9 +158,7 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
 
 Result<void> needsApplication(const Device &device)
 {
-    if (device.link().address().isRecording())
-        return fail(Fault::Unsupported, say("%1 is a recording: it can be watched, no more", device.selector()),
-            say("open the link that it was made on"));
+    MB_TRY_VOID(device.link().address().takesOrders());
     if (device.identity().state != DeviceState::Bootloader)
         return {};
     return fail(Fault::Refused, say("%1 waits in its bootloader, where this is not possible", device.selector()),

@@ -33,7 +33,7 @@ struct Target {
 [[nodiscard]] Task<Device *> connect(Console &console, Target target);
 /// The same in a session that lives on another time.
 [[nodiscard]] Task<Device *> connectIn(Console &console, Session &session, Target target);
-/// Refused while the device waits in its bootloader, where it has neither parameters nor a motor.
+/// Refused while the device waits in its bootloader, where it has neither parameters nor a motor; Unsupported for a recording.
 [[nodiscard]] Result<void> needsApplication(const Device &device);
 
 /// Says what of a recording is left out, or may not be whole.

@@ -26,6 +26,8 @@ Result<void> LentLinks::take(const std::vector<std::string> &addresses)
         }
         for (const Link *const other : lent)
             m_context.operations.takeBack(*other);
+        if (link)
+            MB_TRY_VOID(link->address().takesOrders());
         return fail(Fault::Timeout, say("%1 is not open, or something runs there", address),
             say("open it, or end what runs there first"));
     }
@@ -74,7 +76,8 @@ bool LentLinks::isDriven(const Link &link) const
 
 bool LentLinks::lend(Link *link)
 {
-    if (!link || link->state() != LinkState::Open || isDriven(*link) || !m_context.operations.lend(*link))
+    if (!link || link->state() != LinkState::Open || !link->address().takesOrders() || isDriven(*link)
+        || !m_context.operations.lend(*link))
         return false;
     m_scans.giveWay(*link);
     return true;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/backgroundfile.h"
 
+#include "async/descriptor.h"
 #include "async/outputfile.h"
 
 #include <algorithm>
 #include <cerrno>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,7 +17,7 @@ namespace {
 
 constexpr std::size_t worthWriting = 64 * 1024;
 
-/// Of what is no regular file 0.
+/// Of what is no regular file 0, as of what is not open.
 nlink_t namesOf(int descriptor)
 {
     struct stat status { };
@@ -34,10 +36,18 @@ BackgroundFile::BackgroundFile(std::string path, int descriptor)
 
 Result<std::unique_ptr<BackgroundFile>> BackgroundFile::create(const std::string &path)
 {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
-    if (descriptor < 0)
+    Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666));
+    if (descriptor.get() < 0)
         return fail(writeFailure(Fault::LinkLost, errno).about(path));
-    return std::unique_ptr<BackgroundFile>(new BackgroundFile(path, descriptor));
+    if (namesOf(descriptor.get()) > 0) {
+        if (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+            return fail(
+                Error{Fault::LinkLost, say("it is being recorded or replayed"), say("choose another place")}.about(
+                    path));
+        if (::ftruncate(descriptor.get(), 0) != 0)
+            return fail(writeFailure(Fault::LinkLost, errno).about(path));
+    }
+    return std::unique_ptr<BackgroundFile>(new BackgroundFile(path, descriptor.give()));
 }
 
 BackgroundFile::~BackgroundFile()

@@ -30,7 +30,8 @@ public:
         Message problem;           ///< why nothing more is written, in one clause with its remedy
     };
 
-    /// Makes the file, or empties it. LinkLost with cause and remedy when that cannot be.
+    /// Makes the file, or empties it. LinkLost with cause and remedy when that cannot be, as where another of these writes it, or a
+    /// RecordingFile reads it, in any program.
     [[nodiscard]] static Result<std::unique_ptr<BackgroundFile>> create(const std::string &path);
     /// finish(), and waits for it.
     ~BackgroundFile();

@@ -11,4 +11,10 @@ namespace mb {
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
 
+/// Unix time, of a Clock or whatever else has a time line and what to add to it.
+template <class TimeLine> [[nodiscard]] double unixSeconds(const TimeLine &clock)
+{
+    return std::chrono::duration<double>(clock.now().time_since_epoch() + clock.unixOffset()).count();
+}
+
 } // namespace mb

@@ -2,6 +2,7 @@
 #include "experiment/owedgains.h"
 
 #include "async/progress.h"
+#include "async/seconds.h"
 #include "experiment/direction.h"
 #include "experiment/gains.h"
 #include "experiment/seconds.h"
@@ -21,8 +22,7 @@ constexpr Duration storeMargin = std::chrono::seconds(5); ///< over the time aft
 /// It must have stored what was written then, and nothing says that it did not.
 Task<bool> hasStored(Device &device, double since)
 {
-    const Duration now = device.clock().now().time_since_epoch() + device.clock().unixOffset();
-    if (inSeconds(now) - since < inSeconds(storingTime(device)))
+    if (unixSeconds(device.clock()) - since < inSeconds(storingTime(device)))
         co_return false;
     NoProgress unseen;
     const Result<bool> stored = co_await device.store(unseen).attempt();

@@ -127,10 +127,7 @@ Result<void> Device::mayMove() const
         return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.busy()));
     if (m_link.state() != LinkState::Open)
         return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.loss().message()));
-    if (m_link.address().isRecording())
-        return fail(Fault::Unsupported,
-            say("%1 is a recording: what is in it can be watched, not driven", m_link.address().shortName()),
-            say("open the link that it was made on"));
+    MB_TRY_VOID(m_link.address().takesOrders());
     switch (m_identity->state) {
     case DeviceState::Duplicate:
         return fail(Fault::Unsafe, say("several units answer as number %1", m_identity->address),
@@ -203,6 +200,7 @@ Task<void> Device::restart()
 {
     if (!m_gate.busy().empty())
         co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_gate.busy()));
+    co_await m_link.address().takesOrders();
     stop();
     co_await doRestart();
     co_return {};

@@ -21,6 +21,7 @@ Task<void> hasNoOtherMaster(Device &device)
 
 Task<void> standsStill(Device &device)
 {
+    co_await device.link().address().takesOrders(); // time may stand there: it would be waited for without end
     co_await hasNoOtherMaster(device);
     if (device.identity().state != DeviceState::Bootloader && device.liveness().moving)
         co_return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));

@@ -7,7 +7,8 @@
 namespace mb {
 
 /// Listens long enough to hear another master: Unsafe where one drives the device, or its motor moves. To be asked before a device
-/// is served or gets other firmware, which takes its motor away; in its bootloader it drives none. Sends nothing. Engine thread.
+/// is served or gets other firmware, which takes its motor away; in its bootloader it drives none. Unsupported for a recording. Sends
+/// nothing. Engine thread.
 [[nodiscard]] Task<void> standsStill(Device &device);
 /// The same, whether or not its motor moves.
 [[nodiscard]] Task<void> hasNoOtherMaster(Device &device);

@@ -22,6 +22,7 @@ struct ExportChannel {
     bool simulated = false;
     std::string serial{}; ///< of the unit; empty where it tells none
 
+    friend bool operator==(const ExportChannel &, const ExportChannel &) = default;
     /// "dmc60c:5 velocity": what stands over a column.
     [[nodiscard]] std::string title() const;
     /// "/sim_can/dmc60c_5/velocity"

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <charconv>
-#include <ctime>
 
 namespace mb {
 namespace {
@@ -21,15 +20,11 @@ double seconds(Duration duration)
 
 std::string isoTime(Duration sinceEpoch)
 {
-    const std::int64_t micros = std::chrono::floor<std::chrono::microseconds>(sinceEpoch).count();
-    const std::time_t whole = static_cast<std::time_t>(micros / 1'000'000);
-    std::tm calendar{};
-    gmtime_r(&whole, &calendar);
-    std::array<char, 32> day{};
-    std::strftime(day.data(), day.size(), "%Y-%m-%dT%H:%M:%S", &calendar);
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%s.%06dZ", day.data(), static_cast<int>(micros % 1'000'000));
-    return text.data();
+    const auto whole = std::chrono::floor<std::chrono::seconds>(sinceEpoch);
+    std::string text = csvTime(static_cast<double>(whole.count()));
+    const auto micros = std::chrono::floor<std::chrono::microseconds>(sinceEpoch - whole);
+    const std::string digits = std::to_string(micros.count());
+    return text.insert(text.size() - 1, '.' + std::string(6 - digits.size(), '0') + digits);
 }
 
 std::string oneLine(std::string text)

@@ -40,7 +40,7 @@ std::string freeTitle(const LoadedRecording &loaded, std::string title, const st
 
 /// The second pass over a file, whose channels are known.
 Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
-    std::map<std::uint16_t, std::uint16_t> &places, std::uint64_t mostSamples)
+    std::map<std::uint16_t, std::uint16_t> &places, std::uint64_t mostSamples, std::size_t mostBytes)
 {
     McapReader reader;
     bool isTooFar = false;
@@ -48,7 +48,8 @@ Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
     reader.enough = [&] { return loaded.shortened || isTooFar; };
     reader.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
         isTooFar = isTooFar || time > farthestTime || time < -farthestTime;
-        loaded.shortened = loaded.shortened || taken >= mostSamples;
+        loaded.shortened = loaded.shortened || taken >= mostSamples
+            || (taken % 4096 == 0 && loaded.telemetry->memoryUse() > mostBytes);
         if (isTooFar || loaded.shortened)
             return;
         ++taken;
@@ -64,7 +65,8 @@ Result<void> readSamples(const std::string &path, LoadedRecording &loaded,
     return {};
 }
 
-Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::uint64_t mostSamples)
+Result<std::shared_ptr<LoadedRecording>> loadMcap(
+    const std::string &path, std::uint64_t mostSamples, std::size_t mostBytes)
 {
     auto loaded = std::make_shared<LoadedRecording>();
     loaded->hasClock = true;
@@ -95,7 +97,7 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path, std::
         return fail(complete.error());
     loaded->complete = *complete;
     loaded->telemetry = std::make_shared<Telemetry>(loaded->table);
-    MB_TRY_VOID(readSamples(path, *loaded, places, mostSamples));
+    MB_TRY_VOID(readSamples(path, *loaded, places, mostSamples, mostBytes));
     return loaded;
 }
 
@@ -112,13 +114,15 @@ RecordingTotals totalsOf(const LoadedRecording &recording)
     return totals;
 }
 
-Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path, std::uint64_t mostSamples)
+Result<std::shared_ptr<const LoadedRecording>> loadRecording(
+    const std::string &path, std::uint64_t mostSamples, std::size_t mostBytes)
 {
     std::error_code error;
     if (const auto kind = std::filesystem::status(path, error);
         std::filesystem::is_character_file(kind) || std::filesystem::is_block_file(kind))
         return fail(Fault::OutOfRange, say("%1 is a device and has no end", path), say("name a recording"));
-    MB_TRY(auto loaded, endsWith(path, ".mcap") ? loadMcap(path, mostSamples) : loadTable(path, mostSamples));
+    MB_TRY(auto loaded,
+        endsWith(path, ".mcap") ? loadMcap(path, mostSamples, mostBytes) : loadTable(path, mostSamples, mostBytes));
     LoadedRecording &recording = *loaded;
     recording.telemetry->commit();
     bool any = false;

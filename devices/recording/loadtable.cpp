@@ -83,6 +83,18 @@ std::pair<std::string, std::string> titleAndUnit(const std::string &head)
     return {head.substr(0, open), head.substr(open + 2, head.size() - open - 3)};
 }
 
+/// Of "Zeit (ms)", "t [us]", "time_ns": what one of them is in seconds; of other heads they are seconds.
+double timeUnitOf(std::string_view head)
+{
+    constexpr std::array<std::pair<std::string_view, double>, 5> units{
+        {{"ms", 1e-3}, {"us", 1e-6}, {"\u00b5s", 1e-6}, {"\u03bcs", 1e-6}, {"ns", 1e-9}}};
+    if (head.ends_with(')') || head.ends_with(']'))
+        head.remove_suffix(1);
+    const std::string_view word = head.substr(head.find_last_of("_([ ") + 1);
+    const auto *const unit = std::ranges::find(units, word, &std::pair<std::string_view, double>::first);
+    return unit == units.end() ? 1.0 : unit->second;
+}
+
 /// "# loss sim:can/dmc60c:5: velocity = 84 of 2084 lost": of which column, and how many.
 std::optional<std::pair<std::string, std::uint64_t>> lossIn(std::string_view line)
 {
@@ -104,10 +116,11 @@ std::optional<std::pair<std::string, std::uint64_t>> lossIn(std::string_view lin
 
 class TableReader {
 public:
-    TableReader(const std::string &path, std::uint64_t mostSamples)
+    TableReader(const std::string &path, std::uint64_t mostSamples, std::size_t mostBytes)
         : m_path(path)
         , m_file(path)
         , m_most(mostSamples)
+        , m_mostBytes(mostBytes)
     {
     }
 
@@ -130,14 +143,14 @@ public:
         if (heads.size() < 2 || heads.size() > mostColumns || numberOf(heads[1])
             || line.find('\0') != std::string::npos)
             return wrong(say("there is no table here: expected time_s,name (unit),… or t,channel,value,unit"));
-        m_millis = titleAndUnit(heads.front()).second == "ms";
+        m_timeUnit = timeUnitOf(heads.front());
         for (std::size_t i = 1; i < heads.size(); ++i) {
             const auto [title, unit] = titleAndUnit(heads[i]);
             addLoadedChannel(*m_loaded, title, unit);
             m_lost.push_back(std::exchange(m_losses[title], 0));
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        while (!isEnough(m_most) && next(line))
+        while (!isEnough(m_most, m_loaded->telemetry->memoryUse()) && next(line))
             MB_TRY_VOID(takeRow(fieldsOf(line, m_separator)));
         if (m_tooLong)
             return wrong(tooLong());
@@ -165,9 +178,10 @@ private:
     }
 
     /// Whether all are read that there may be; of a file that ends there nothing is left out.
-    bool isEnough(std::uint64_t most)
+    bool isEnough(std::uint64_t most, std::size_t bytes)
     {
-        m_loaded->shortened = m_taken >= most && m_file.peek() != std::ifstream::traits_type::eof();
+        m_loaded->shortened
+            = (m_taken >= most || bytes > m_mostBytes) && m_file.peek() != std::ifstream::traits_type::eof();
         return m_loaded->shortened;
     }
 
@@ -205,7 +219,7 @@ private:
 
     Result<void> takeRow(const std::vector<std::string> &fields)
     {
-        const auto time = timeOf(written(fields.front()), m_offset, m_millis ? 1e-3 : 1.0);
+        const auto time = timeOf(written(fields.front()), m_offset, m_timeUnit);
         if (!time)
             return wrong(say("'%1' is no time in seconds", fields.front()));
         if (fields.size() > m_loaded->table.size() + 1)
@@ -237,7 +251,7 @@ private:
         std::deque<LongRow> rows; // never copied while it grows
         std::map<std::string, std::uint16_t> places;
         std::string line;
-        while (!isEnough(m_most / 3) && next(line)) {
+        while (!isEnough(m_most / 3, 0) && next(line)) {
             const std::vector<std::string> fields = fieldsOf(line);
             if (fields.size() != 4)
                 return wrong(say("expected time, channel, value and unit"));
@@ -258,8 +272,13 @@ private:
         constexpr auto longAgo = Instant(std::chrono::hours(24 * 365 * 20)); // `watch` on sim: counts from its start
         m_loaded->hasClock = !rows.empty() && rows.front().time > longAgo;
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        for (const LongRow &row : rows)
+        for (std::uint64_t taken = 0; const LongRow &row : rows) {
+            if (taken++ % 4096 == 0 && m_loaded->telemetry->memoryUse() > m_mostBytes) {
+                m_loaded->shortened = true;
+                break;
+            }
             m_loaded->telemetry->append({{row.channel}, row.time, row.value});
+        }
         return m_loaded;
     }
 
@@ -274,12 +293,13 @@ private:
     const std::string &m_path;
     std::ifstream m_file;
     std::uint64_t m_most;
+    std::size_t m_mostBytes;
     std::uint64_t m_taken = 0;
     std::vector<char> m_buffer = std::vector<char>(longestLine + 1);
     bool m_tooLong = false; ///< the line that was to be read last
     std::size_t m_line = 0;
     char m_separator = ',';
-    bool m_millis = false; ///< its times are milliseconds
+    double m_timeUnit = 1.0; ///< seconds
     double m_offset = 0.0;
     std::map<std::string, std::uint64_t> m_losses; ///< by title of the column, as the head tells them
     std::vector<std::uint64_t> m_lost;             ///< of a column, and in no gap of it yet
@@ -288,9 +308,10 @@ private:
 
 } // namespace
 
-Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path, std::uint64_t mostSamples)
+Result<std::shared_ptr<LoadedRecording>> loadTable(
+    const std::string &path, std::uint64_t mostSamples, std::size_t mostBytes)
 {
-    return TableReader(path, mostSamples).read();
+    return TableReader(path, mostSamples, mostBytes).read();
 }
 
 } // namespace mb

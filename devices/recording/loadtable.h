@@ -7,6 +7,7 @@
 namespace mb {
 
 /// The CSV half of loadRecording().
-[[nodiscard]] Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path, std::uint64_t mostSamples);
+[[nodiscard]] Result<std::shared_ptr<LoadedRecording>> loadTable(
+    const std::string &path, std::uint64_t mostSamples, std::size_t mostBytes);
 
 } // namespace mb

@@ -54,14 +54,13 @@ RollingRecorder::~RollingRecorder()
         ::close(m_lock);
         return;
     }
-    std::error_code ignored;
-    fs::remove(m_path + '/' + lockName, ignored);
+    std::error_code error;
     const std::string last = m_options.folder + '/' + lastName;
+    fs::remove_all(m_segments.empty() ? m_path : last, error);
     if (!m_segments.empty()) {
-        fs::remove_all(last, ignored);
-        fs::rename(m_path, last, ignored);
-    } else {
-        fs::remove_all(m_path, ignored);
+        fs::rename(m_path, last, error);
+        if (!error) // the lock last: what is cut short, or refused, is recovered at the next start
+            fs::remove(last + '/' + lockName, error);
     }
     ::close(m_lock);
 }

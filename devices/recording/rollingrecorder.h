@@ -26,7 +26,8 @@ public:
         std::uint64_t mostBytes = 1ULL << 30U; ///< of what nobody asked to keep
     };
     explicit RollingRecorder(Options options);
-    /// Ends the last file; the folder becomes `last-session`, in place of the one before, unless it is left.
+    /// Ends the last file; the folder becomes `last-session`, in place of the one before, unless it is left. Where that cannot be it
+    /// stays as that of a run that was killed.
     ~RollingRecorder();
 
     /// What there is now. Channels that went away stay in the files that have them, and are let go of once all of theirs is there;

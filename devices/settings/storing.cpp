@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/storing.h"
 
+#include "async/seconds.h"
 #include "model/family.h"
 #include "model/unit.h"
 
@@ -15,16 +16,11 @@ constexpr double margin
 
 using Values = std::map<std::string, std::int64_t>;
 
-double timeOfDay(const Clock &clock)
-{
-    return std::chrono::duration<double>(clock.now().time_since_epoch() + clock.unixOffset()).count();
-}
-
 /// What was written so lately that flash may not have it, by key. A write that changed nothing waits for nothing.
 Values unstored(const Device &device, const std::vector<SettingsChange> &changes)
 {
     const double span = static_cast<double>(device.family().capabilities.storesAfter.count()) + margin;
-    const double now = timeOfDay(device.clock());
+    const double now = unixSeconds(device.clock());
     Values values;
     for (const SettingsChange &change : changes) {
         if (change.purpose == Purpose::Store)

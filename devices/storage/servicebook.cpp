@@ -24,11 +24,6 @@ ServiceBook::ServiceBook(Database &database, const Clock &clock, std::string sta
 {
 }
 
-double ServiceBook::now() const
-{
-    return std::chrono::duration<double>(m_clock.now().time_since_epoch() + m_clock.unixOffset()).count();
-}
-
 /// In one transaction: a note that another program adds meanwhile is lost by nobody.
 Result<Visit> ServiceBook::put(Visit visit, bool isNew)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "async/seconds.h"
 #include "service/servicejournal.h"
 #include "storage/database.h"
 #include "storage/numbertable.h"
@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] Database &database() const { return m_database; }
     [[nodiscard]] const std::string &station() const { return m_station; }
-    [[nodiscard]] double now() const;
+    [[nodiscard]] double now() const { return unixSeconds(m_clock); }
 
 private:
     [[nodiscard]] Result<service::Visit> put(service::Visit visit, bool isNew);

@@ -79,27 +79,29 @@ SettingsBook::SettingsBook(Database &database, const Clock &clock, std::string p
 {
 }
 
-double SettingsBook::now() const
-{
-    return std::chrono::duration<double>(m_clock.now().time_since_epoch() + m_clock.unixOffset()).count();
-}
-
 std::string SettingsBook::resolved(const std::string &unit)
 {
     return resolvedUnit(m_database, unit);
 }
 
-Result<void> SettingsBook::setTag(const std::string &place, const std::string &tag)
+Result<std::string> SettingsBook::setTag(const std::string &place, const std::string &tag)
 {
     if (unitByOf(place) != UnitBy::Place)
         return fail(Fault::OutOfRange, say("a unit that has a serial number needs no tag"));
-    return m_database.transact([&]() -> Result<void> {
+    const QString line = qt(renumberedPlaceKey(place, 0)).chopped(1);
+    std::string left;
+    MB_TRY_VOID(m_database.transact([&]() -> Result<void> {
         const std::string before = resolved(place);
-        auto changed = tag.empty() ? m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)})
-                                   : m_database.run("INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)",
-                                       {qt(place), qt(tag), now()});
-        return changed ? moveDebts(before, resolved(place)) : changed;
-    });
+        MB_TRY_VOID(tag.empty() ? m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)})
+                                : m_database.run("INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)",
+                                    {qt(place), qt(tag), now()}));
+        MB_TRY_VOID(moveDebts(before, resolved(place)));
+        MB_TRY_VOID(
+            m_database.run("SELECT place FROM tag WHERE name = ? AND place <> ? AND substr(place, 1, length(?)) = ?",
+                {qt(tag), qt(place), line, line}, [&left](const QSqlQuery &row) { left = textAt(row, 0); }));
+        return m_database.run("DELETE FROM tag WHERE place = ?", {qt(left)});
+    }));
+    return left;
 }
 
 /// What is owed to a unit goes with it to its new name; not to one that is known elsewhere, nor from one that still is.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "async/seconds.h"
 #include "settings/settingslog.h"
 #include "storage/database.h"
 
@@ -24,8 +24,9 @@ public:
     /// function here that takes a unit does that by itself.
     [[nodiscard]] std::string resolved(const std::string &unit);
     /// What the user calls the unit that is connected at this place (a key by place); empty: nothing any more. OutOfRange for a
-    /// unit that has a serial number.
-    [[nodiscard]] Result<void> setTag(const std::string &place, const std::string &tag);
+    /// unit that has a serial number. Yields the place on the same line that was called so, and is not any more: a unit stands at one
+    /// only, and two that are taken for one would get each other's values.
+    [[nodiscard]] Result<std::string> setTag(const std::string &place, const std::string &tag);
     /// Without their files, ordered by unit and then by age, oldest first; of one unit, if it is named.
     [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> snapshots(const std::string &unit = {});
     /// One with its file: a number, or else the newest of this name. Of one unit, where it is named; else a name that several
@@ -37,7 +38,7 @@ public:
 
 private:
     [[nodiscard]] Result<void> moveDebts(const std::string &before, const std::string &after);
-    [[nodiscard]] double now() const;
+    [[nodiscard]] double now() const { return unixSeconds(m_clock); }
     [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> read(
         const std::string &columns, const std::string &rest, const QVariantList &values);
     [[nodiscard]] Result<void> addValues(std::int64_t number, const std::vector<settings::ValueChange> &values);

@@ -132,12 +132,6 @@ TrialBook::TrialBook(Database &database, const Clock &clock)
 {
 }
 
-double TrialBook::now() const
-{
-    const Duration time = m_clock.now().time_since_epoch() + m_clock.unixOffset();
-    return std::chrono::duration<double>(time).count();
-}
-
 Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
 {
     const auto added

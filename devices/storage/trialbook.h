@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
+#include "async/seconds.h"
 #include "experiment/experimentjournal.h"
 #include "experiment/kepttrial.h"
 #include "storage/database.h"
@@ -42,7 +42,7 @@ public:
 
 private:
     [[nodiscard]] Result<std::vector<KeptTrial>> read(const std::string &where, const QVariantList &values);
-    [[nodiscard]] double now() const;
+    [[nodiscard]] double now() const { return unixSeconds(m_clock); }
     [[nodiscard]] Result<void> changeOne(std::int64_t number, const char *statement, const QVariantList &values);
     [[nodiscard]] Result<void> keepSignals(std::int64_t number, const std::vector<tuning::Signal> &signals);
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 namespace mb {
@@ -20,9 +21,10 @@ std::size_t roundedUp(std::size_t bytes, std::size_t step)
 
 } // namespace
 
-ChunkStore::ChunkStore(std::string folder, std::size_t budget)
+ChunkStore::ChunkStore(std::string folder, std::size_t budget, std::uint64_t spared)
     : m_folder(std::move(folder))
     , m_budget(budget)
+    , m_spared(spared)
 {
 }
 
@@ -57,6 +59,11 @@ bool ChunkStore::extend(std::size_t bytes)
     const std::size_t room = roundedUp(bytes, alignment);
     m_room = room;
     const std::size_t size = roundedUp(room * roomsPerExtent, static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)));
+    struct statvfs disk { };
+    if (::fstatvfs(m_file, &disk) == 0 && disk.f_bavail * disk.f_frsize < size + m_spared) {
+        m_failure = say("%1 cannot take old samples: %2", m_folder, say("the rest of its disk is left to others"));
+        return false;
+    }
     // Allocated at once: a hole that cannot be filled later would end the program at a write.
     const int error = ::posix_fallocate(m_file, static_cast<off_t>(m_fileSize), static_cast<off_t>(size));
     void *address = error == 0

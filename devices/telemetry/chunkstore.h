@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -17,8 +18,9 @@ namespace mb {
 /// it ends. Shared by all histories of a session; thread-safe.
 class ChunkStore : NonCopyable {
 public:
-    /// `folder` must exist and should be on a disk, not in memory. `budget`: bytes of chunks that may stay in memory.
-    ChunkStore(std::string folder, std::size_t budget);
+    /// `folder` must exist and should be on a disk, not in memory. `budget`: bytes of chunks that may stay in memory. `spared`: bytes
+    /// of the disk that are left to others.
+    ChunkStore(std::string folder, std::size_t budget, std::uint64_t spared = 1ULL << 30U);
     ~ChunkStore();
 
     [[nodiscard]] std::size_t budget() const { return m_budget; }
@@ -43,6 +45,7 @@ private:
 
     std::string m_folder;
     std::size_t m_budget;
+    std::uint64_t m_spared;
     std::atomic<std::size_t> m_resident{0};
     mutable std::mutex m_mutex; ///< guards the rest
     int m_file = -1;

@@ -88,6 +88,14 @@ std::string LinkAddress::shortName() const
     return slash == std::string::npos ? path : path.substr(slash + 1);
 }
 
+Result<void> LinkAddress::takesOrders() const
+{
+    if (!isRecording())
+        return {};
+    return fail(Fault::Unsupported, say("%1 is a recording: it can be watched, not written to or driven", shortName()),
+        say("open the link that it was made on"));
+}
+
 std::optional<std::string_view> LinkAddress::option(std::string_view key) const
 {
     for (const auto &[name, value] : options) {

@@ -31,6 +31,8 @@ struct LinkAddress {
     [[nodiscard]] bool isSimulated() const { return scheme == "sim"; }
     /// Nothing can be sent: what is found there can be watched, no more.
     [[nodiscard]] bool isRecording() const { return scheme == "replay"; }
+    /// Unsupported where it is one: nobody is there who could answer.
+    [[nodiscard]] Result<void> takesOrders() const;
 
     friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
 };

@@ -5,6 +5,7 @@
 #include <cerrno>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -52,6 +53,7 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
         return fail(unreadable(path, errno));
     if (!S_ISREG(status.st_mode))
         return fail(Fault::OutOfRange, say("%1 is not a file", path), say("name a recording"));
+    (void)::flock(descriptor, LOCK_SH | LOCK_NB); // nobody empties it; one that is being recorded is read as it is
     file->m_size = static_cast<std::uint64_t>(status.st_size);
     file->m_places.push_back({});
     MB_TRY(auto first, file->read(file->m_player));

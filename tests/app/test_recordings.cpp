@@ -109,6 +109,11 @@ TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
     for (const DeviceView &device : shot.devices)
         EXPECT_EQ(device.mayNotMove.english().find("is a recording") != std::string::npos, onReplay(device))
             << device.selector;
+    const auto played = std::ranges::find_if(shot.devices, onReplay);
+    const auto update = bench.ask(orders::UpdateFirmware{played->id, std::make_shared<FirmwareImage>(), {}});
+    EXPECT_EQ(update.error().fault, Fault::Unsupported) << update.error().text();
+    const auto again = bench.ask(orders::StartRecording{"sim:can", bench.folder.path("run.log")});
+    EXPECT_NE(again.error().text().find("run.log: it is being recorded or replayed"), std::string::npos);
     bench.clock.advance(10s);
     EXPECT_TRUE(bench.view(address).replay->ended);
 }

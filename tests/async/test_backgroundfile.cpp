@@ -123,6 +123,22 @@ TEST(BackgroundFile, EndsWithAWholeRecordWhenTheDiskIsFullInTheMiddleOfOne)
     EXPECT_EQ(folder.read("a.log"), expected);
 }
 
+TEST(BackgroundFile, IsNotEmptiedByAnotherOneWhileItIsWritten)
+{
+    const test::TemporaryFolder folder;
+    {
+        const auto file = BackgroundFile::create(folder.path("a.log"));
+        ASSERT_TRUE((*file)->append("one\n"));
+        const auto second = BackgroundFile::create(folder.path("a.log"));
+        ASSERT_FALSE(second);
+        EXPECT_NE(second.error().text().find("a.log: it is being recorded or replayed; "), std::string::npos);
+        ASSERT_TRUE((*file)->append("two\n"));
+    }
+    EXPECT_EQ(folder.read("a.log"), "one\ntwo\n");
+    ASSERT_TRUE(BackgroundFile::create(folder.path("a.log")));
+    EXPECT_EQ(folder.read("a.log"), "");
+}
+
 TEST(BackgroundFile, RefusesWhatDoesNotFitIntoMemory)
 {
     const test::TemporaryFolder folder;

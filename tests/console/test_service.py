@@ -96,6 +96,7 @@ class Service(Recipes):
 
     def test_a_served_unit_has_a_card_of_one_page_and_a_label(self):
         self.assert_error(2, "report", "trial:1", "--out", "a.html", "--size", "poster", says="report, card and label")
+        self.assert_error(2, "report", "sim:can/dmc60c:7", "--out", self.folder.name + "/a.html", "--size", "label", says="was never served")
         self.run_json("service", self.recipe(parameters={"file": "base.json"}, test=TEST), "sim:can", status=1) # one is in its bootloader
         self.run_json("service", self.recipe(parameters={"file": "base.json"}), "sim:can", status=1)
         device = "sim:can/dmc60c:7"

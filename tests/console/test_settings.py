@@ -211,6 +211,8 @@ class Tags(ContractTest):
         self.assertIn("left arm", self.run_text("snapshots", place))
         self.run_one("rename", "sim:serial/supermodified:4", "left arm")  # it was moved there
         self.assertIn("left arm", self.run_text("snapshots", "sim:serial/supermodified:4"))
+        self.assertIsNone(self.run_one("info", place)["name"])  # of two on one line it is one only
+        self.assertIn("number 4 of this line was called so", Run(["rename", place, "left arm"]).err)
         self.run_one("rename", "sim:serial/supermodified:4", "another")
         self.assertEqual(self.run_one("restore", place, f"snapshot:{number}"), {"changes": []})
         self.assertEqual(self.run_one("rename", place, "right arm")["old"], "left arm")

@@ -150,6 +150,20 @@ TEST(HistoryStore, WithoutADiskSamplesStayInMemoryAndTheCauseIsKnown)
     EXPECT_NE(store->failure().english().find("/nonexistent/folder"), std::string::npos);
 }
 
+TEST(HistoryStore, ADiskIsNotFilledToItsLastByte)
+{
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    const auto spared = static_cast<std::uint64_t>(std::filesystem::space(folder).capacity);
+    const auto store = std::make_shared<ChunkStore>(folder, tiny, spared);
+    History history;
+    history.keepIn(store);
+    for (int i = 0; i < 30'000; ++i)
+        history.append(at(i * 1000), i);
+    EXPECT_EQ(history.first()->value, 0.0);
+    EXPECT_EQ(store->stored(), 0U);
+    EXPECT_NE(store->failure().english().find("left to others"), std::string::npos) << store->failure().english();
+}
+
 TEST(HistoryStatistics, AgreeWithTheSlowWayOnRandomStretches)
 {
     const Pair pair(5, 30'000, storeOf(200'000));

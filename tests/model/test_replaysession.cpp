@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings played through the same session and devices as the live run that they were made of.
 #include "model/snapshot.h"
+#include "model/standstill.h"
 #include "support/simulatedsession.h"
 #include "support/temporaryfile.h"
 #include "traffic/trafficrecorder.h"
@@ -229,6 +230,9 @@ TEST(ReplaySession, LetsNothingBeDrivenOrWritten)
     setPoint.mode = Mode::Duty;
     setPoint.target = 0.1;
     EXPECT_FALSE(device.command(setPoint));
+    EXPECT_EQ(test::run(playback.clock, device.restart()).error().fault, Fault::Unsupported);
+    playback.link->pause(); // nothing that waits ends
+    EXPECT_EQ(test::run(playback.clock, standsStill(device)).error().fault, Fault::Unsupported);
     auto read = test::run(playback.clock, device.read(ParameterIndex{0}));
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().fault, Fault::Unsupported);

@@ -3,6 +3,7 @@
 // tables of Python and spreadsheets.
 #include "recording/loadrecording.h"
 #include "recording/mcapformat.h"
+#include "telemetry/samplechunk.h"
 #include "tests/recording/recordingfolder.h"
 
 #include <gtest/gtest.h>
@@ -181,6 +182,33 @@ TEST(ForeignTable, SemicolonsWithDecimalCommasAndMillisecondsAreRead)
     const auto tabs = loadRecording(write(folder, "tabs.csv", "t\ta\n0\t1\n1\t2\n"));
     ASSERT_TRUE(tabs) << tabs.error().text();
     EXPECT_EQ((*tabs)->telemetry->size({0}), 2U);
+}
+
+TEST(ForeignTable, TimesAreInTheUnitThatTheirHeadTells)
+{
+    const test::Folder folder;
+    for (const auto &[head, unit] : {std::pair("time_us", 1e-6), {"t (µs)", 1e-6}, {"t [μs]", 1e-6}, {"t_ns", 1e-9},
+             {"Time [ms]", 1e-3}, {"ms", 1e-3}, {"time_s", 1.0}, {"rpms", 1.0}}) {
+        const auto read = loadRecording(write(folder, "units.csv", head + std::string(",a\n0,1\n5000000,2\n")));
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_NEAR(totalsOf(**read).seconds, 5e6 * unit, 1e-9) << head;
+    }
+}
+
+TEST(ForeignTable, OfTimesThatAreFarApartNoMoreIsReadThanTheMemoryMayHave)
+{
+    const test::Folder folder;
+    constexpr std::size_t most = 20U << 20U;
+    for (const auto &[head, columns] : {std::pair("time_s,a", ",1\n"), {"t,channel,value,unit", ",a,1,V\n"}}) {
+        std::string table = head + std::string("\n");
+        for (int i = 0; i < 20'000; ++i)
+            table += std::to_string(i * 5000) + columns;
+        const auto read = loadRecording(write(folder, "apart.csv", table), mostLoadedSamples, most);
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_TRUE((*read)->shortened) << head;
+        EXPECT_LT((*read)->telemetry->memoryUse(), most + 2 * 4096 * sizeof(SampleChunk)) << "and what came meanwhile";
+        EXPECT_FALSE((*loadRecording(write(folder, "near.csv", head + std::string("\n1") + columns)))->shortened);
+    }
 }
 
 } // namespace

@@ -242,6 +242,26 @@ TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
     EXPECT_TRUE(recoverRecordings(folder.path.string()).paths.empty());
 }
 
+TEST(RollingRecorder, WhatCannotTakeThePlaceOfTheLastSessionIsRecoveredAtTheNextStart)
+{
+    const Folder folder;
+    fs::create_directories(folder.path / "run" / "inner");
+    {
+        RollingRecorder::Options options;
+        options.folder = (folder.path / "run" / "inner").string();
+        options.name = "../../run"; // no folder can be moved into itself
+        Running bench;
+        RollingRecorder recorder(options);
+        bench.run(recorder, 10);
+    }
+    const auto recovered = recoverRecordings(folder.path.string());
+    ASSERT_EQ(recovered.paths.size(), 1U);
+    const auto loaded = loadRecording(recovered.paths.front());
+    ASSERT_TRUE(loaded);
+    EXPECT_GE((*loaded)->telemetry->size({0}), 485U) << "of 500; the last tenth of a second was still settling";
+    EXPECT_FALSE(fs::exists(folder.path / "run"));
+}
+
 /// Everything that the bench has sent, each sample once.
 void expectComplete(const std::string &path, const Running &bench)
 {

@@ -8,6 +8,10 @@
 #include <QMenu>
 #include <QSet>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 using namespace mb;
 using namespace mb::test;
 
@@ -22,6 +26,7 @@ private Q_SLOTS:
     void recordingBeginsBeforeItWasAskedFor();
     void whatIsKeptAndNotSavedIsWrittenWhenTheProgramEnds();
     void aFullDiskIsToldOnceAndNothingIsCalledWritten();
+    void ordersDoNotPileUpWhileTheDiskHangs();
     void whatIsPlayedIsNotRecordedAgain();
     void whatIsKeptAndCannotBeSavedAtTheEndIsRecoveredAtTheNextStart();
     void recordingsOfOneSecondHaveNamesOfTheirOwn();
@@ -218,6 +223,30 @@ void TestPlotKeeping::aFullDiskIsToldOnceAndNothingIsCalledWritten()
     QCOMPARE(saved.last().at(1).toString(), QString());
     QVERIFY(loadRecording(saved.last().at(0).toString().toStdString()));
     bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::ordersDoNotPileUpWhileTheDiskHangs()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath(s("rolling/killed")));
+    QVERIFY(QFile(folder.filePath(s("rolling/killed/lock"))).open(QIODevice::WriteOnly));
+    const std::string pipe = folder.filePath(s("rolling/killed/segment-000000.mcap")).toStdString();
+    QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0); // whoever reads it waits for who writes it
+    Recorder recorder(bench.workbench, folder.path() + s("/rolling"));
+    const QSignalSpy looked(&recorder, &Recorder::changed);
+    const auto held = [&] { return bench.workbench.device(0).telemetry.use_count(); };
+    const auto looks = [&](int times) { return QTest::qWaitFor([&] { return looked.count() >= times; }, 60'000); };
+    bool hangs = looks(1);
+    const long once = held();
+    hangs = looks(5) && hangs;
+    const long often = held();
+    const int end = ::open(pipe.c_str(), O_WRONLY | O_CLOEXEC);
+    ::unlink(pipe.c_str());
+    ::close(end);
+    QVERIFY(hangs);
+    QCOMPARE(often, once);
+    QTRY_VERIFY((bench.pass(1.0, 60000.0), recorder.state().samples > 100));
 }
 
 void TestPlotKeeping::whatIsPlayedIsNotRecordedAgain()

@@ -83,9 +83,9 @@ void Recorder::follow()
         m_now = m_workbench.now();
         m_unixOffset = m_workbench.unixOffset();
         m_sleeps = m_workbench.sleeps();
-        m_due = true;
-        m_orders.push_back([channels = std::move(channels), about = std::move(about)](
-                               RollingRecorder &recorder) mutable { recorder.follow(channels, std::move(about)); });
+        if (m_following.empty() || m_following.back().channels != channels)
+            m_following.push_back({std::move(channels), {}});
+        m_following.back().about = std::move(about);
     }
     m_wake.notify_one();
     Q_EMIT changed();
@@ -106,14 +106,17 @@ void Recorder::work()
     RollingRecorder recorder(m_options);
     std::unique_lock lock(m_mutex);
     for (bool end = false; !end;) {
-        m_wake.wait(lock, [this] { return m_end || m_due || !m_orders.empty(); });
+        m_wake.wait(lock, [this] { return m_end || !m_following.empty() || !m_orders.empty(); });
+        auto following = std::exchange(m_following, {});
         auto orders = std::exchange(m_orders, {});
         end = m_end;
-        const bool due = std::exchange(m_due, false) || end;
+        const bool due = !following.empty() || end;
         const Instant now = m_now;
         const Duration offset = m_unixOffset;
         const SleepLog sleeps = m_sleeps;
         lock.unlock();
+        for (Following &each : following)
+            recorder.follow(each.channels, std::move(each.about));
         for (const auto &order : orders)
             order(recorder);
         const Result<void> written = !due ? Result<void>()

@@ -58,12 +58,17 @@ private:
     QTimer m_follow;
     mutable std::mutex m_mutex; ///< guards the rest
     std::condition_variable m_wake;
+    /// While a disk hangs only what is another set of channels waits with the one before.
+    struct Following {
+        std::vector<ExportChannel> channels;
+        std::vector<std::pair<std::string, mcap::Map>> about;
+    };
+    std::vector<Following> m_following;
     std::vector<std::function<void(RollingRecorder &)>> m_orders;
     State m_state;
     Instant m_now{};
     Duration m_unixOffset{};
     SleepLog m_sleeps;
-    bool m_due = false;
     bool m_end = false;
     QString m_keepFolder;
     std::thread m_thread;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportorder.h"
 
+#include "async/seconds.h"
 #include "files/filebytes.h"
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
@@ -77,8 +78,7 @@ void ReportOrder::make(const ReportUnit &subject, const ReportWish &wish, std::f
             if (!units)
                 return made(fail(units.error()));
             Report report;
-            report.time = std::chrono::duration<double>(m_workbench.now().time_since_epoch() + m_workbench.unixOffset())
-                              .count();
+            report.time = unixSeconds(m_workbench);
             report.program
                 = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
                       .toStdString();

@@ -102,9 +102,7 @@ void ReplayLink::doClose()
 
 Result<void> ReplayLink::doSend(const CanFrame &, Priority)
 {
-    return fail(Fault::Unsupported,
-        say("%1 is a recording: it can be watched, not written to or driven", address().shortName()),
-        say("open the link that it was made on"));
+    return address().takesOrders();
 }
 
 ReplayState ReplayLink::replay() const
