@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/systemtheme.h"
 
+#include <QPalette>
+
 #include <algorithm>
 #include <cmath>
 

@@ -14,6 +14,7 @@
 #include "widgets/connection/devicedelegate.h"
 #include "widgets/connection/scanstrip.h"
 
+#include <QEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QTreeView>

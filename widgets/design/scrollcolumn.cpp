@@ -3,6 +3,8 @@
 
 #include "widgets/common/layoutin.h"
 
+#include <QVariant>
+
 namespace mb {
 namespace {
 

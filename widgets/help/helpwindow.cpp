@@ -6,6 +6,7 @@
 #include "widgets/help/helptopics.h"
 
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QSignalBlocker>
