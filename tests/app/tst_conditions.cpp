@@ -28,6 +28,7 @@ private Q_SLOTS:
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
     void aNoticeEndsWithWhatItIsOf();
     void whatWasDismissedHidesNoOtherCause();
+    void whatWasDismissedIsSilentUntilItsLinkIsWell();
     void aSecondEnterIsNotForWhatTheButtonHasBecome();
     void gainsThatAreOwedMayBeKeptAsTheyAre();
     void gainsThatAreOwedToAPlaceAreSaidToBeSo();
@@ -183,6 +184,36 @@ void ConditionsTest::whatWasDismissedHidesNoOtherCause()
         = say("%1 with %2 transmit and %3 receive errors", "can0", 9, 0);
     notices.follow();
     QCOMPARE(notices.stack.count(), 0); // a number that goes on by itself is no other cause
+}
+
+void ConditionsTest::whatWasDismissedIsSilentUntilItsLinkIsWell()
+{
+    Notices notices;
+    const auto standing = [&notices](Ailment ailment) {
+        LinkView link;
+        link.address = link.name = "can0";
+        link.state = LinkState::Open;
+        if (ailment != Ailment::None)
+            link.diagnosis = {ailment, say("%1 is not well", "can0"), {}, {}};
+        notices.workbench.shot.links = {link};
+        notices.follow();
+        return notices.stack.count();
+    };
+    QCOMPARE(standing(Ailment::Losing), 1);
+    Q_EMIT notices.standing().dismissed();
+    for (int passing = 0; passing < 2; ++passing) {
+        QCOMPARE(standing(Ailment::Disturbed), 1);
+        QCOMPARE(standing(Ailment::Losing), 0);
+    }
+    QCOMPARE(standing(Ailment::None), 0);
+    QCOMPARE(standing(Ailment::Losing), 1);
+    notices.workbench.device(0).identity.edit().state = DeviceState::Duplicate;
+    QCOMPARE(standing(Ailment::None), 1);
+    Q_EMIT notices.standing().dismissed();
+    notices.workbench.device(0).liveness.foreignMaster = true;
+    QCOMPARE(standing(Ailment::None), 1);
+    notices.workbench.device(0).liveness.foreignMaster = false;
+    QCOMPARE(standing(Ailment::None), 0);
 }
 
 void ConditionsTest::aSecondEnterIsNotForWhatTheButtonHasBecome()
