@@ -17,6 +17,11 @@ constexpr auto resetKey = "reset ";
 constexpr auto mayTurnKey = "may turn ";
 constexpr auto owedKey = "owed ";
 
+QString thingOf(const QString &key)
+{
+    return key.section(QLatin1Char('\n'), 0, 0);
+}
+
 QString resetKeyOf(DeviceId device)
 {
     return QLatin1String(resetKey) + QString::number(device.value);
@@ -62,9 +67,16 @@ void Conditions::follow()
         post(QStringLiteral("stopped ") + m_arming.reason(),
             m_arming.isStoppedByHand() ? BannerKind::Ended : BannerKind::Danger,
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."));
+    std::set<QString> things;
+    for (const QString &key : m_standing)
+        things.insert(thingOf(key));
     for (const QString &over : before) {
-        if (m_standing.count(over) == 0)
-            m_banners.clear(over);
+        if (m_standing.contains(over))
+            continue;
+        const bool isOver = !things.contains(thingOf(over));
+        m_banners.clear(over, isOver);
+        if (!isOver)
+            m_standing.insert(over);
     }
     std::erase_if(m_failures, [this](const auto &failure) { return !m_workbench.snapshot().device(failure.first); });
 }
@@ -78,8 +90,8 @@ void Conditions::post(const QString &key, BannerKind kind, const QString &cause,
 
 void Conditions::followLink(const LinkView &link)
 {
-    const QString key = QStringLiteral("link %1 ").arg(static_cast<int>(link.diagnosis.ailment))
-        + QString::fromStdString(link.address);
+    const QString key = QStringLiteral("link ") + QString::fromStdString(link.address)
+        + QStringLiteral("\n%1").arg(static_cast<int>(link.diagnosis.ailment));
     const QString name = QString::fromStdString(link.name);
     if (link.state == LinkState::Lost)
         post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
@@ -92,7 +104,7 @@ void Conditions::followDevice(const DeviceView &device)
 {
     const QString key = QStringLiteral("device %1").arg(device.id.value);
     if (device.liveness.foreignMaster)
-        post(key + QStringLiteral(" driven"), BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+        post(key + QStringLiteral("\ndriven"), BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
             tr("Arming is off until it stops sending control frames."));
     else if (device.identity->state == DeviceState::Duplicate)
         post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),

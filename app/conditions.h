@@ -29,7 +29,8 @@ private:
     [[nodiscard]] QString resetTitle(const DeviceView &device, int lost) const;
     void followOwed();
     /// It stands until a look at everything does not post it. The key has the cause in it, since what is dismissed is silent: all but
-    /// the numbers that go on by themselves.
+    /// the numbers that go on by themselves. Causes of one thing that pass from one to the other begin with the same line, and are silent
+    /// until none of them stands.
     void post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
         const QString &action = {}, const QString &other = {});
     void act(const QString &key);
@@ -39,7 +40,7 @@ private:
     Workbench &m_workbench;
     Arming &m_arming;
     BannerStack &m_banners;
-    std::set<QString> m_standing;           ///< with a banner
+    std::set<QString> m_standing;           ///< with a banner, or of a thing that has one
     std::map<DeviceId, QString> m_failures; ///< of writing again, by device
 };
 

@@ -2,6 +2,7 @@
 #include "app/enterkey.h"
 
 #include "widgets/common/holdbutton.h"
+#include "widgets/common/iconbutton.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
@@ -49,7 +50,8 @@ bool EnterKey::eventFilter(QObject *watched, QEvent *event)
 void EnterKey::press(QAbstractButton &button)
 {
     QTimer::singleShot(0, &button, [pointed = QPointer<QAbstractButton>(&button)] {
-        if (!pointed || !pointed->isEnabled())
+        const auto *command = qobject_cast<CommandButton *>(pointed.data());
+        if (!pointed || !pointed->isEnabled() || (command && command->isFresh())) // nobody has read what it does
             return;
         auto *tool = qobject_cast<QToolButton *>(pointed.data());
         if (tool && tool->menu() && tool->popupMode() == QToolButton::InstantPopup)

@@ -8,7 +8,7 @@ class QAbstractButton;
 namespace mb {
 
 /// Space stops, so Enter presses the button, ticks the box or opens the menu that has the focus, in the window and in dialogs; a button that
-/// has to be held is left to itself.
+/// has to be held is left to itself, and one that did something else a moment ago is not pressed.
 /// Install on the application. GUI thread.
 class EnterKey : public QObject {
     Q_OBJECT

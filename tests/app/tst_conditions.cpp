@@ -4,10 +4,12 @@
 #include "support/windowtests.h"
 
 #include "app/conditions.h"
+#include "app/enterkey.h"
 #include "model/registry.h"
 #include "widgets/common/banner.h"
 #include "widgets/control/arming.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QPushButton>
 #include <QTest>
@@ -20,11 +22,14 @@ using namespace mb::test;
 class ConditionsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void init() { QApplication::setDoubleClickInterval(0); }
     void anUpdateThatMayBeCutIsNotSaidToNeedItsPower();
     void whatAQueueWritesIsSaidLikeAnUpdate();
     void whatWasStoppedByHandIsNotDrawnAsWhatRuns();
     void aNoticeEndsWithWhatItIsOf();
     void whatWasDismissedHidesNoOtherCause();
+    void whatWasDismissedIsSilentUntilItsLinkIsWell();
+    void aSecondEnterIsNotForWhatTheButtonHasBecome();
     void gainsThatAreOwedMayBeKeptAsTheyAre();
     void gainsThatAreOwedToAPlaceAreSaidToBeSo();
 };
@@ -179,6 +184,68 @@ void ConditionsTest::whatWasDismissedHidesNoOtherCause()
         = say("%1 with %2 transmit and %3 receive errors", "can0", 9, 0);
     notices.follow();
     QCOMPARE(notices.stack.count(), 0); // a number that goes on by itself is no other cause
+}
+
+void ConditionsTest::whatWasDismissedIsSilentUntilItsLinkIsWell()
+{
+    Notices notices;
+    const auto standing = [&notices](Ailment ailment) {
+        LinkView link;
+        link.address = link.name = "can0";
+        link.state = LinkState::Open;
+        if (ailment != Ailment::None)
+            link.diagnosis = {ailment, say("%1 is not well", "can0"), {}, {}};
+        notices.workbench.shot.links = {link};
+        notices.follow();
+        return notices.stack.count();
+    };
+    QCOMPARE(standing(Ailment::Losing), 1);
+    Q_EMIT notices.standing().dismissed();
+    for (int passing = 0; passing < 2; ++passing) {
+        QCOMPARE(standing(Ailment::Disturbed), 1);
+        QCOMPARE(standing(Ailment::Losing), 0);
+    }
+    QCOMPARE(standing(Ailment::None), 0);
+    QCOMPARE(standing(Ailment::Losing), 1);
+    notices.workbench.device(0).identity.edit().state = DeviceState::Duplicate;
+    QCOMPARE(standing(Ailment::None), 1);
+    Q_EMIT notices.standing().dismissed();
+    notices.workbench.device(0).liveness.foreignMaster = true;
+    QCOMPARE(standing(Ailment::None), 1);
+    notices.workbench.device(0).liveness.foreignMaster = false;
+    QCOMPARE(standing(Ailment::None), 0);
+}
+
+void ConditionsTest::aSecondEnterIsNotForWhatTheButtonHasBecome()
+{
+    Notices notices;
+    EnterKey enter;
+    qApp->installEventFilter(&enter);
+    auto &profile = notices.workbench.device(0).profile.edit();
+    profile.written["slot0.p"] = 1;
+    profile.lost.insert("slot0.p");
+    notices.follow();
+    QPushButton *action = nullptr;
+    for (QPushButton *button : notices.standing().findChildren<QPushButton *>())
+        action = button->text() == QLatin1String("Write them again") ? button : action;
+    QVERIFY(action);
+    QApplication::setActiveWindow(&notices.stack);
+    action->setFocus();
+    QTest::keyClick(action, Qt::Key_Return);
+    QTRY_COMPARE(notices.workbench.given<orders::RewriteSettings>().size(), std::size_t{1});
+    QApplication::setDoubleClickInterval(60'000);
+    OperationView operation;
+    operation.id = {3};
+    operation.device = {1};
+    operation.status.kind = OperationKind::RewriteSettings;
+    notices.workbench.shot.operations = {operation};
+    notices.follow();
+    QCOMPARE(action->text(), QStringLiteral("Cancel"));
+    QTest::keyClick(action, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QVERIFY(notices.workbench.given<orders::CancelOperation>().empty());
+    action->click(); // later
+    QCOMPARE(notices.workbench.given<orders::CancelOperation>().size(), std::size_t{1});
 }
 
 void ConditionsTest::gainsThatAreOwedMayBeKeptAsTheyAre()

@@ -43,7 +43,7 @@ struct BatteryBench {
         const auto plan = workbench.given<orders::RunTrial>().back().plan;
         tuning::Trial trial;
         trial.simulated = true;
-        trial.stimulus.from = *plan.from;
+        trial.stimulus.from = plan.from.value_or(0.0);
         trial.stimulus.to = plan.to;
         trial.metrics.overshoot = overshoot;
         trial.reason = reason;
@@ -60,6 +60,7 @@ class TestBattery : public QObject {
 private Q_SLOTS:
     void nothingMovesBeforeItIsArmedAndStarted();
     void whatIsShownIsWhatIsRun();
+    void aMotorThatRestsACountFromWhereItWasIsRunAgainAtOnce();
     void theKeyThatOpenedItIsHeldAndStartsNothing();
     void tenStepsFollowEachOtherAndTheWorstStandsBelow();
     void aStopEndsItAndSaysSo();
@@ -101,6 +102,38 @@ void TestBattery::whatIsShownIsWhatIsRun()
     bench.dialog.followOffer();
     QCOMPARE(bench.dialog.words(), ending);
     QCOMPARE(bench.dialog.trials().size(), std::size_t(1));
+}
+
+void TestBattery::aMotorThatRestsACountFromWhereItWasIsRunAgainAtOnce()
+{
+    BatteryBench bench;
+    tuning::ExperimentPlan place = largest();
+    place.mode = Mode::Position;
+    place.from.reset();
+    place.to = 5'000.0;
+    const auto standAt = [&bench, &place](double here) {
+        bench.offer.battery = tuning::batteryOf(place, here, false);
+        bench.offer.unit = QStringLiteral("counts");
+        bench.dialog.followOffer();
+    };
+    const auto begun = [&bench] { return bench.workbench.given<orders::RunTrial>().size(); };
+    bench.arming.arm({1});
+    std::size_t ended = 0;
+    for (const double here : {0.0, 1.0}) {
+        standAt(here);
+        bench.dialog.run();
+        QCOMPARE(begun(), ended + 1);
+        for (int i = 0; i < 10; ++i)
+            bench.finish(0.01);
+        ended += 10;
+    }
+    standAt(2'000.0); // turned by hand
+    bench.dialog.run();
+    QCOMPARE(begun(), ended);
+    standAt(2'001.0);
+    QVERIFY2(bench.dialog.words().startsWith(QStringLiteral("Not started")), qPrintable(bench.dialog.words()));
+    bench.dialog.run();
+    QCOMPARE(begun(), ended + 1);
 }
 
 void TestBattery::theKeyThatOpenedItIsHeldAndStartsNothing()

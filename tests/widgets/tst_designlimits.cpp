@@ -7,6 +7,7 @@
 #include "widgets/design/designpage.h"
 
 #include <QLineEdit>
+#include <QPointer>
 #include <QTest>
 
 using namespace mb;
@@ -27,6 +28,25 @@ void enter(DesignBench &bench, const char *limit, const char *text)
     bench.workbench.publish();
 }
 
+/// Between soft limits this far to both sides.
+TuneReport identifiedBetween(DeviceView &drive, double limit)
+{
+    const auto set
+        = [&drive](const char *key, std::int64_t raw) { drive.parameters.edit()[named(key).value].raw = raw; };
+    set("limit.forward.soft.threshold", rawOf("limit.forward.soft.threshold", limit));
+    set("limit.reverse.soft.threshold", rawOf("limit.reverse.soft.threshold", -limit));
+    set("limit.forward.soft.enabled", 1);
+    set("limit.reverse.soft.enabled", 1);
+    TuneReport report = identified();
+    report.envelope.travel = limit;
+    for (Proposal &proposal : report.proposals) {
+        const double response = responseOf(Mode::Position, proposal.aim, report.plant);
+        proposal.design = design(Mode::Position, report.plant, response, {});
+        proposal.gains.made = proposal.design.gains;
+    }
+    return report;
+}
+
 } // namespace
 
 class TestDesignLimits : public QObject {
@@ -34,6 +54,7 @@ class TestDesignLimits : public QObject {
 private Q_SLOTS:
     void underOtherLimitsTheStepOfNowIsSaidAndThatGainsAreFoundAnew();
     void theLimitsOfTheChosenSlotAreInForce();
+    void setsAreDesignedAnewOnlyOnceTheMotorStandsElsewhere();
 };
 
 void TestDesignLimits::underOtherLimitsTheStepOfNowIsSaidAndThatGainsAreFoundAnew()
@@ -73,6 +94,38 @@ void TestDesignLimits::theLimitsOfTheChosenSlotAreInForce()
     QVERIFY(!courseOf(bench).contains(QStringLiteral("anew")));
     bench.page->chooseSlot(1);
     QVERIFY2(courseOf(bench).contains(QStringLiteral("anew")), "a tenth of the duty leaves another step");
+}
+
+void TestDesignLimits::setsAreDesignedAnewOnlyOnceTheMotorStandsElsewhere()
+{
+    DesignBench bench;
+    const TuneReport report = identifiedBetween(bench.workbench.device(0), 5000.0);
+    const auto isAt = [&bench](double position, bool moving) {
+        bench.recording.skip(0.1);
+        bench.recording.add("position", position);
+        bench.recording.telemetry()->commit();
+        bench.workbench.time = bench.recording.now();
+        bench.workbench.device(0).liveness.moving = moving;
+        bench.workbench.publish();
+    };
+    isAt(0.0, false);
+    bench.page->chooseLoop(Mode::Position);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(report);
+    QCOMPARE(bench.cards().size(), 3);
+    QVERIFY2(!courseOf(bench).contains(QStringLiteral("anew")), qPrintable(courseOf(bench)));
+    QPointer<ProposalCard> card = bench.cards().front();
+    for (const double position : {500.0, 1000.0, 2000.0})
+        isAt(position, true);
+    QVERIFY2(card, "somebody may be pressing it, and it takes long");
+    isAt(2000.0, false);
+    QVERIFY(!card);
+    QVERIFY2(courseOf(bench).contains(QStringLiteral("other limits, or elsewhere")), qPrintable(courseOf(bench)));
+    QCOMPARE(bench.cards().size(), 3);
+    card = bench.cards().front();
+    isAt(2001.0, false);
+    QVERIFY2(card, "a count makes no other set");
 }
 
 MB_WINDOW_TEST(TestDesignLimits);

@@ -3,8 +3,11 @@
 #include "parameterbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/stateglyph.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/stepspanel.h"
+#include "widgets/firmware/unitupdate.h"
 
 #include <QCheckBox>
 #include <QFile>
@@ -22,6 +25,8 @@ private Q_SLOTS:
     void anotherRowStillShowsWhatIsWrittenAndWhere();
     void nothingIsCalledSafeWhileAnotherUnitIsWritten();
     void whatAQueueWritesIsShownAsWhatThePageWrites();
+    void whatAQueueHasWrittenIsNotGuessed();
+    void pagesOfAnotherUnitAreNoStepsOfThisOne();
     void pagesOfAnImageThatIsNotWrittenAreNotGreen();
     void whenNothingIsWrittenNothingIsSaidOfACut();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
@@ -90,6 +95,20 @@ struct FirmwareBench {
         workbench.shot.operations = {operation};
         workbench.publish();
     }
+    void queueing(bool mayInterrupt, service::Step step = service::Step::Firmware, bool running = true)
+    {
+        service::QueueRow row;
+        row.id = 7;
+        row.device = {1};
+        row.state = service::RowState::Running;
+        row.visit.step = step;
+        row.what = say("writing page");
+        row.done = 4;
+        row.total = 31;
+        row.mayInterrupt = mayInterrupt;
+        workbench.serve({row}, running);
+        workbench.publish();
+    }
     [[nodiscard]] bool says(const QString &part) const
     {
         const auto labels = page->findChildren<QLabel *>();
@@ -132,16 +151,7 @@ void FirmwareTest::nothingIsCalledSafeWhileAnotherUnitIsWritten()
 void FirmwareTest::whatAQueueWritesIsShownAsWhatThePageWrites()
 {
     FirmwareBench bench;
-    service::QueueRow row;
-    row.id = 7;
-    row.device = {1};
-    row.state = service::RowState::Running;
-    row.visit.step = service::Step::Firmware;
-    row.what = say("writing page");
-    row.done = 4;
-    row.total = 31;
-    row.mayInterrupt = false;
-    bench.workbench.serve({row});
+    bench.queueing(false);
     QPushButton *start = bench.start();
     for (const DeviceId selected : {DeviceId{1}, DeviceId{2}}) {
         bench.selection.select(selected);
@@ -152,15 +162,36 @@ void FirmwareTest::whatAQueueWritesIsShownAsWhatThePageWrites()
         QVERIFY(!start->isEnabled());
         QCOMPARE(start->toolTip(), QStringLiteral("One update a bus: DMC60C #5 on sim:can is being written."));
     }
-    row.visit.step = service::Step::Parameters;
-    bench.workbench.serve({row});
-    bench.workbench.publish();
+    bench.queueing(false, service::Step::Parameters);
     QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
     QVERIFY(!start->isEnabled()); // the bus is the queue's until it has ended
     QCOMPARE(start->toolTip(), QStringLiteral("Units are served on this link."));
-    bench.workbench.serve({row}, false);
-    bench.workbench.publish();
+    bench.queueing(false, service::Step::Parameters, false);
     QVERIFY(start->isEnabled());
+}
+
+void FirmwareTest::whatAQueueHasWrittenIsNotGuessed()
+{
+    FirmwareBench bench("sim:can", findFamily(families(), "abstractdc"));
+    bench.queueing(true);
+    for (const QPushButton *button : bench.page->findChildren<QPushButton *>())
+        QVERIFY2(!button->toolTip().contains(QStringLiteral("Nothing is written")), qPrintable(button->toolTip()));
+}
+
+void FirmwareTest::pagesOfAnotherUnitAreNoStepsOfThisOne()
+{
+    FirmwareBench bench;
+    bench.of = findFamily(families(), "quadquad2drv");
+    bench.add(3, 0, "sim:spi");
+    bench.writing();
+    bench.workbench.shot.operations.front().status.parts
+        = {{1, PartState::Done}, {2, PartState::Done}}; // 0 is the last
+    bench.selection.select({3});
+    bench.workbench.publish();
+    const auto *steps = bench.page->unit().findChild<StepsPanel *>();
+    QVERIFY(steps->isVisible());
+    for (const StateGlyph *glyph : steps->findChildren<StateGlyph *>())
+        QVERIFY(glyph->state() == GlyphState::Waiting);
 }
 
 void FirmwareTest::pagesOfAnImageThatIsNotWrittenAreNotGreen()

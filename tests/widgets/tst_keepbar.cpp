@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTest>
@@ -55,6 +56,7 @@ private Q_SLOTS:
     void whatGoesFirstIsAskedFirst();
     void theKeyKeepsOnlyWhatIsAsked();
     void whatNobodyHasReadIsNotKept();
+    void aPressThatIsHeldIsForTheChangeThatItWasMadeOn();
     void whatIsLeftOverOfAPlaceIsSaidToBeSo();
 };
 
@@ -153,6 +155,25 @@ void TestKeepBar::whatNobodyHasReadIsNotKept()
     QCOMPARE(bench.bar.question().contains(QStringLiteral("5 s")), true);
     orderAll();
     QCOMPARE(bench.workbench.sent.size(), 3U);
+}
+
+void TestKeepBar::aPressThatIsHeldIsForTheChangeThatItWasMadeOn()
+{
+    KeepBench bench;
+    for (std::int64_t change = 4; change <= 6; ++change)
+        bench.wait(change, UnconfirmedView::State::Counting, static_cast<double>(change));
+    for (CommandButton *button : bench.bar.findChildren<CommandButton *>()) { // Keep, Put back
+        QTest::mousePress(button, Qt::LeftButton);
+        bench.workbench.shot.unconfirmed.erase(bench.workbench.shot.unconfirmed.begin()); // it went back by itself
+        bench.workbench.publish();
+        QMouseEvent moves(QEvent::MouseMove, button->rect().center(), Qt::NoButton, Qt::LeftButton,
+            Qt::NoModifier); // and is down again
+        QApplication::sendEvent(button, &moves);
+        QTest::mouseRelease(button, Qt::LeftButton);
+    }
+    QVERIFY(bench.workbench.sent.empty());
+    QTest::mouseClick(bench.bar.findChild<CommandButton *>(), Qt::LeftButton);
+    QCOMPARE(bench.workbench.given<orders::KeepChange>().front().change, 6);
 }
 
 void TestKeepBar::whatIsLeftOverOfAPlaceIsSaidToBeSo()

@@ -81,6 +81,7 @@ private Q_SLOTS:
     void nothingIsDrawnWhileHidden();
     void aSpectrumOfWhatStandsStillIsOfWhatIsChosen();
     void theListOfSignalsStaysWhereItIsWhenADeviceComes();
+    void underTheMouseWhatComesIsListedBelowAndWhatIsGoneIsNotTicked();
     void aTriggerWithoutALevelWaitsForOne();
     void keysPauseAndFit();
     void whatIsVisibleCanBeExported();
@@ -269,6 +270,35 @@ void TestPlotsPage::theListOfSignalsStaysWhereItIsWhenADeviceComes()
     QEvent leaves(QEvent::Leave);
     QApplication::sendEvent(list.viewport(), &leaves);
     QVERIFY(list.count() > listed);
+}
+
+void TestPlotsPage::underTheMouseWhatComesIsListedBelowAndWhatIsGoneIsNotTicked()
+{
+    PlotsBench bench;
+    QListWidget &list = bench.page->panel().signalList().list();
+    list.viewport()->setAttribute(Qt::WA_UnderMouse);
+    const int listed = list.count();
+    const auto row = [&list] { return list.findItems(s("#7 temperature"), Qt::MatchExactly).value(0); };
+    auto &devices = bench.workbench.shot.devices;
+    devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 3, 9));
+    bench.workbench.publish();
+    QVERIFY(list.count() > listed);
+    QVERIFY(list.item(listed)->text().startsWith(s("#9 ")));
+    const DeviceView unplugged = devices[1];
+    devices.erase(devices.begin() + 1);
+    bench.workbench.publish();
+    QVERIFY(row() && !(row()->flags() & Qt::ItemIsEnabled));
+    Q_EMIT list.itemActivated(row()); // by Enter
+    QVERIFY(row()->checkState() == Qt::Unchecked);
+    devices.insert(devices.begin() + 1, unplugged);
+    bench.workbench.publish();
+    QVERIFY(row()->flags() & Qt::ItemIsEnabled);
+    devices.erase(devices.begin() + 1);
+    bench.workbench.publish();
+    list.viewport()->setAttribute(Qt::WA_UnderMouse, false);
+    QEvent leaves(QEvent::Leave);
+    QApplication::sendEvent(list.viewport(), &leaves);
+    QVERIFY(!row());
 }
 
 void TestPlotsPage::aTriggerWithoutALevelWaitsForOne()

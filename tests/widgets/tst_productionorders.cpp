@@ -73,6 +73,7 @@ private Q_SLOTS:
     void nothingIsArmedWithoutTheFocus();
     void aHoldEndsWithTheFocus();
     void aDoubleClickStartsAndEndsNothing();
+    void aPressOnEndStartsNothingWhereTheQueueEndsMeanwhile();
     void aScannedSerialIsTheUnitThatWasPutOnLast();
     void theLinkThatWasChosenStaysSoWhateverBecomesOfIt();
     void theLinkThatIsServedIsNamedAlsoWhereItIsLost();
@@ -127,6 +128,24 @@ void TestProductionOrders::aDoubleClickStartsAndEndsNothing()
     QVERIFY(bench.workbench.given<orders::FinishService>().empty());
     start->click(); // later
     QCOMPARE(bench.workbench.given<orders::FinishService>().size(), 1U);
+}
+
+void TestProductionOrders::aPressOnEndStartsNothingWhereTheQueueEndsMeanwhile()
+{
+    StationBench bench;
+    const auto buttons = bench.page->findChild<ProductionHead *>()->findChildren<CommandButton *>();
+    auto *const end = *std::ranges::find(buttons, s("Start"), &QAbstractButton::text);
+    const auto begun = [&bench] { return bench.workbench.given<orders::ServeUnits>(); };
+    bench.page->start();
+    bench.workbench.serve({});
+    begun().front().finished({});
+    QCOMPARE(end->text(), s("End"));
+    QTest::mousePress(end, Qt::LeftButton);
+    bench.workbench.serve({}, false);
+    QTest::mouseRelease(end, Qt::LeftButton);
+    QCOMPARE(begun().size(), 1U);
+    QTest::mouseClick(end, Qt::LeftButton);
+    QCOMPARE(begun().size(), 2U);
 }
 
 void TestProductionOrders::aScannedSerialIsTheUnitThatWasPutOnLast()

@@ -4,10 +4,12 @@
 #include "queuebench.h"
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/queuebar.h"
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/service/recipeform.h"
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
 
@@ -44,6 +46,7 @@ private Q_SLOTS:
     void aRecipeThatIsSavedWhileUnitsAreServedWaitsForThem();
     void anImageOfAnotherKindIsRefusedWithWords();
     void aQueueThatProductionHasBegunIsShownByItsOwnRecipe();
+    void whatWasServedIsShownByWhatItWasServedBy();
     void unitsOfAnotherRecipeAreNotTriedAgainByIt();
 };
 
@@ -133,11 +136,47 @@ void QueueRecipeTest::aQueueThatProductionHasBegunIsShownByItsOwnRecipe()
     QVERIFY(bench.says(QStringLiteral("boards")));
     QCOMPARE(bench.model().rowOf(1), 0);
     QCOMPARE(bench.board().steps().row(), 1U);
-    running.state = RowState::Passed;
+    running.state = RowState::Failed;
     bench.workbench.serve({running}, false);
     QVERIFY(!bench.says(QStringLiteral("boards")));
-    QCOMPARE(bench.model().rowOf(1), -1); // of a queue before
+    QCOMPARE(bench.model().rowOf(1), 0); // what has failed is in sight until another queue begins
+    QCOMPARE(bench.model().rowCount(), 4);
+    bench.board().findChild<QCheckBox *>()->click();
+    QCOMPARE(bench.model().ticked().size(), 3U); // it is none of them
+    bench.workbench.serve({}, false);
     QCOMPARE(bench.model().rowCount(), 3);
+}
+
+void QueueRecipeTest::whatWasServedIsShownByWhatItWasServedBy()
+{
+    QueueBench bench;
+    const auto serve = [&bench] {
+        bench.model().tick({1}, true);
+        bench.board().start();
+        bench.workbench.served.matter = bench.workbench.given<orders::ServeUnits>().back().matter;
+    };
+    QVERIFY(bench.board().openImage(demoImage));
+    serve();
+    QueueRow row = bench.row(1, 1, RowState::Passed);
+    row.parts = {{0, PartState::Done}, {1, PartState::Done}};
+    bench.workbench.serve({row}, false);
+    const PageMap &map = *bench.board().findChild<PageMap *>();
+    const QString pages = map.accessibleDescription();
+    QVERIFY2(pages.startsWith(QStringLiteral("2 of ")), qPrintable(pages));
+    QVERIFY(bench.board().openRecipe(bench.write(
+        R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","test":{"loop":"velocity","to":1500,
+"limits":{"travel":50000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})")));
+    QCOMPARE(map.accessibleDescription(), pages);
+    QVERIFY(!bench.says(QStringLiteral("Self-test")));
+    QVERIFY(bench.says(QStringLiteral("turns the motor"))); // the next queue
+    serve();
+    row = bench.row(2, 1, RowState::Failed);
+    row.visit.step = service::Step::Test;
+    bench.workbench.serve({row}, false);
+    QVERIFY(bench.says(QStringLiteral("Self-test")));
+    QVERIFY(bench.board().openImage(demoImage));
+    QVERIFY(bench.says(QStringLiteral("Self-test")));
+    QCOMPARE(bench.cell(0, QueueModel::Versions), QStringLiteral("1.23"));
 }
 
 void QueueRecipeTest::unitsOfAnotherRecipeAreNotTriedAgainByIt()

@@ -224,10 +224,10 @@ void BannerStack::post(const QString &key, BannerKind kind, const QString &cause
     arrange();
 }
 
-void BannerStack::clear(const QString &key)
+void BannerStack::clear(const QString &key, bool forget)
 {
     const auto found = std::ranges::find(m_entries, key, &Entry::key);
-    if (found == m_entries.end())
+    if (found == m_entries.end() || (found->dismissed && !forget))
         return;
     found->banner->hide();
     found->banner->deleteLater();

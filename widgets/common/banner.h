@@ -69,8 +69,8 @@ public:
 
     void post(const QString &key, BannerKind kind, const QString &cause, const QString &remedy,
         const QString &action = {}, const QString &other = {});
-    /// The condition has ended.
-    void clear(const QString &key);
+    /// The condition has ended. `forget`: false where one that was dismissed is to stay silent should it come back.
+    void clear(const QString &key, bool forget = true);
     /// All that stand, dismissed ones excluded.
     int count() const;
     void setTwoLines(bool on);

@@ -93,8 +93,12 @@ void CommandButton::setKeyHint(const QString &key)
 
 bool CommandButton::event(QEvent *event)
 {
-    if (isFresh() && (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick))
+    const bool presses = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+    if (presses && isFresh())
         return true;
+    m_isMeant = m_isMeant || presses;
+    if (event->type() == QEvent::MouseButtonRelease && !m_isMeant)
+        setDown(false);
     if (event->type() == keysChanged() && !m_key.isEmpty()) {
         tellWords();
         updateGeometry();
@@ -149,6 +153,7 @@ void CommandButton::setRole(const QString &text)
 
 void CommandButton::changeRole()
 {
+    m_isMeant = false;
     m_readFrom.setRemainingTime(QApplication::doubleClickInterval());
 }
 

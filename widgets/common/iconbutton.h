@@ -53,8 +53,8 @@ public:
     void setTextVariants(const QStringList &texts);
     /// Its words and its name, where what it does becomes something else under the pointer, as Start becomes End.
     void setRole(const QString &text);
-    /// It does something else than a moment ago, or to something else, or stands where another stood: a press within the time of
-    /// a double click was meant for that, and is none.
+    /// It does something else than a moment ago, or to something else, or stands where another stood: a press that is held down, or comes
+    /// within the time of a double click, was meant for that, and is none.
     void changeRole();
     [[nodiscard]] bool isFresh() const { return !m_readFrom.hasExpired(); }
     QSize sizeHint() const override;
@@ -77,6 +77,7 @@ private:
     QStringList m_variants;
     QString m_tip; ///< of its own, while it is a symbol
     bool m_iconOnly = false;
+    bool m_isMeant = false;    ///< the press that is held: it was for what the button does now
     QDeadlineTimer m_readFrom; ///< before that nobody has read what it does
 };
 

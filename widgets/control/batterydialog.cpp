@@ -19,12 +19,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mb {
 namespace {
 
 constexpr int dialogWidth = 720; // u
 constexpr int dialogHeight = 620;
+constexpr double samePlace = 0.02; ///< of the way from one end to the other
 constexpr std::array<std::string_view, 5> columns{"rise", "settle", "overshoot", "sse", "peak_current"};
 
 QString cellText(std::string_view key, const std::optional<double> &value)
@@ -48,6 +50,24 @@ QString textOf(const BatteryOffer &offer)
         "inside the limits of the page.")
         .arg(steps.size())
         .arg(formatSignificant(steps.front().to, 4), formatSignificant(steps.back().to, 4), offer.unit);
+}
+
+bool isSameMotor(const BatteryOffer &a, const BatteryOffer &b)
+{
+    return a.device == b.device && a.motor == b.motor;
+}
+
+/// What somebody decides by. A position loop begins where the motor is, which may be another count by now.
+bool isAlike(const BatteryOffer &a, const BatteryOffer &b)
+{
+    const auto &one = a.battery.steps;
+    const auto &other = b.battery.steps;
+    if (!isSameMotor(a, b) || a.unit != b.unit || a.whyNot != b.whyNot || one.size() != other.size())
+        return false;
+    const bool places = !one.empty() && one.front().mode == Mode::Position;
+    const double most = places ? samePlace * std::abs(one.front().to - one.back().to) : 0.0;
+    return std::ranges::equal(
+        one, other, [most](const auto &x, const auto &y) { return std::abs(x.to - y.to) <= most; });
 }
 
 } // namespace
@@ -111,27 +131,32 @@ QWidget *BatteryDialog::namesOfWays(const ThemeSource &theme)
 
 void BatteryDialog::showOffer()
 {
-    if (!m_running)
-        take(m_offer());
+    if (m_running)
+        return;
+    m_isRefused = false;
+    take(m_offer());
 }
 
 void BatteryDialog::followOffer()
 {
-    if (!isVisible() || m_running || words() != textOf(m_now))
+    if (!isVisible() || m_running || words() != offered())
         return;
-    if (BatteryOffer now = m_offer(); !isShown(now))
-        take(std::move(now));
+    BatteryOffer now = m_offer();
+    if (isSameMotor(now, m_now) && textOf(now) == textOf(m_now))
+        return;
+    m_isRefused = m_isRefused && isAlike(now, m_now);
+    take(std::move(now));
 }
 
-bool BatteryDialog::isShown(const BatteryOffer &offer) const
+QString BatteryDialog::offered() const
 {
-    return offer.device == m_now.device && offer.motor == m_now.motor && textOf(offer) == textOf(m_now);
+    return m_isRefused ? tr("Not started, the page has changed: %1").arg(textOf(m_now)) : textOf(m_now);
 }
 
 void BatteryDialog::take(BatteryOffer offer)
 {
     m_now = std::move(offer);
-    say(textOf(m_now));
+    say(offered());
     follow();
     if (!m_now.whyNot.isEmpty())
         return;
@@ -152,9 +177,11 @@ void BatteryDialog::run()
     if (m_running || m_arming.isMoving())
         return;
     BatteryOffer now = m_offer();
-    const bool wasShown = isShown(now);
+    if (now.whyNot.isEmpty() && !m_arming.isArmed(now.device))
+        return;
+    m_isRefused = now.whyNot.isEmpty() && !isAlike(now, m_now);
     take(std::move(now));
-    if (!wasShown || !m_now.whyNot.isEmpty() || !m_arming.isArmed(m_now.device))
+    if (m_isRefused || !m_now.whyNot.isEmpty())
         return;
     m_running = true;
     next();

@@ -38,7 +38,8 @@ public:
     void showOffer();
     /// The page may say something else: shows that, unless it runs or says what came of it.
     void followOffer();
-    /// As if its button was pressed: starts what is shown, where the device is armed; where the offer is another, shows that instead.
+    /// As if its button was pressed: starts what is shown, where the device is armed; where the offer is another, shows that instead. Places
+    /// are the same to a fiftieth of the way between them, for a motor rests a few counts from where it was.
     void run();
     [[nodiscard]] bool isRunning() const { return m_running; }
     [[nodiscard]] const std::vector<tuning::Trial> &trials() const { return m_trials; }
@@ -49,7 +50,7 @@ public:
 private:
     void buildTable();
     QWidget *namesOfWays(const ThemeSource &theme);
-    [[nodiscard]] bool isShown(const BatteryOffer &offer) const;
+    [[nodiscard]] QString offered() const;
     void take(BatteryOffer offer);
     void next();
     void ended(const Result<tuning::Trial> &trial, std::uint64_t armingNumber);
@@ -63,7 +64,8 @@ private:
     Arming &m_arming;
     std::function<BatteryOffer()> m_offer;
     const ThemeSource &m_theme;
-    BatteryOffer m_now; ///< that is shown
+    BatteryOffer m_now;       ///< that is shown
+    bool m_isRefused = false; ///< another was to be run
     std::vector<tuning::Trial> m_trials;
     bool m_running = false;
     QLabel *m_words = nullptr;

@@ -168,9 +168,7 @@ void ProposalList::showChosen()
         return m_plots.clear();
     const tuning::ProposalBasis basis = m_book.basisOf(*view, m_inForce);
     const std::optional<ComparedGains> &compared = m_comparison.with(*view, basis, *m_book.report(), *proposal);
-    m_comparedWords->setText(isFoundAnew() ? tr("found for other limits")
-            : compared                     ? comparedText(*compared)
-                                           : QString());
+    m_comparedWords->setText(isFoundAnew() ? tr("to be found anew") : compared ? comparedText(*compared) : QString());
     m_plots.setMeasured(m_book.response());
     m_plots.show(*m_book.report(), {*proposal, chosenName(), compared}, basis);
 }

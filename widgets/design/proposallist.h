@@ -27,7 +27,7 @@ public:
     [[nodiscard]] OwnProposal &own() { return *m_own; }
     /// What a step may use.
     void setInForce(const Envelope &inForce) { m_inForce = inForce; }
-    /// What is shown is of limits that are no more in force.
+    /// What is shown is of limits that are no more in force, which are also of where the motor is.
     [[nodiscard]] bool isOutdated() const;
     /// Another report, motor or slot, or other limits.
     void showReport();
@@ -41,7 +41,7 @@ public:
     /// nullptr: there is nothing yet.
     [[nodiscard]] const tuning::Proposal *chosen() const;
     [[nodiscard]] QString chosenName() const;
-    /// The cards were found for other limits: what is written of the one that is chosen is found anew.
+    /// The cards were found for other limits, or elsewhere: what is written of the one that is chosen is found anew.
     [[nodiscard]] bool isFoundAnew() const { return m_isOfOthers && !m_book.choice().own; }
     [[nodiscard]] QWidget *chosenCard() const;
     [[nodiscard]] const Envelope &inForce() const { return m_inForce; }

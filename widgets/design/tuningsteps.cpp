@@ -240,8 +240,8 @@ std::vector<TuningSteps::Step> TuningSteps::stepsOf(const Ahead &ahead, const tu
             proven ? limits + QLatin1Char('\n') + tr("measured: %1").arg(measuredText(report->measured)) : limits},
         {tr("Else put everything back"), tr("Gains as before, the reason in the log."), {}}};
     if (ahead.isFoundAnew)
-        steps.insert(
-            steps.begin(), {tr("Find the gains anew"), {}, tr("Those that are shown were found for other limits.")});
+        steps.insert(steps.begin(),
+            {tr("Find the gains anew"), {}, tr("Those that are shown were found for other limits, or elsewhere.")});
     return steps;
 }
 

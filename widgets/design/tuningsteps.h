@@ -29,7 +29,7 @@ public:
         int slot = 0;      ///< that the result is for
         int gainSlots = 1; ///< of the device
         Mode loop = Mode::Velocity;
-        bool isFoundAnew = false; ///< for other limits than those that it is shown for
+        bool isFoundAnew = false; ///< for other limits than those that it is shown for, or elsewhere
     };
     /// `running` while it runs; else the last report and what may come next, each nullptr where there is none. `inForce` bounds whatever
     /// is ordered.

@@ -344,7 +344,7 @@ void QueueBoard::followRecipe()
         return;
     m_shown = recipe;
     m_head->show(m_shown);
-    m_side->setRecipe(m_shown);
+    m_side->noteWhatTurns(m_shown);
     m_table->setKind(m_shown.family() ? tableText(m_shown.family()->title) : QString());
 }
 
@@ -377,7 +377,7 @@ const service::QueueRow *QueueBoard::shownRow() const
     const QueueRow *last = nullptr;
     for (const QueueRow &row : m_workbench.service().rows) {
         if (model().rowOf(row.id) < 0)
-            continue; // of a queue before
+            continue; // not listed yet
         if (chosen && chosen->row == row.id)
             return &row;
         if (row.state == RowState::Running && !running)
@@ -388,12 +388,14 @@ const service::QueueRow *QueueBoard::shownRow() const
     return running || chosen ? running : last;
 }
 
+/// A unit that was served is shown by what it was served by, whatever is open for the next queue.
 void QueueBoard::followUnit()
 {
     const service::QueueRow *row = shownRow();
+    const auto &by = m_workbench.service().matter;
     const QueueLine *line
         = row ? &model().lines().at(static_cast<std::size_t>(model().rowOf(row->id))) : m_table->chosen();
-    m_side->showUnit(row, line, m_shown);
+    m_side->showUnit(row, line, row && by ? QueueRecipe(by) : m_shown);
 }
 
 } // namespace mb

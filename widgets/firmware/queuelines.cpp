@@ -225,13 +225,14 @@ std::vector<QueueLine> queueLines(
 {
     std::vector<QueueLine> lines;
     std::set<DeviceId> queued;
+    const std::string &served = view.matter ? view.matter->imageVersion : version;
     for (const QueueRow &row : view.rows) {
         const DeviceView *device = shot.device(row.device);
+        lines.push_back(lineOfRow(row, device, served, view.matter.get(), now));
         if (family && device && device->family != family)
-            continue; // of a queue before
+            lines.back().device = {};
         if (device)
             queued.insert(device->id);
-        lines.push_back(lineOfRow(row, device, version, view.matter.get(), now));
         if (isWaitingForArm(view, row)) {
             lines.back().glyph = GlyphState::Waiting;
             lines.back().result = QueueText::tr("hold Arm in the header");

@@ -12,7 +12,7 @@ namespace mb {
 
 /// One unit in the table of a queue, ready to be shown. A value.
 struct QueueLine {
-    DeviceId device{};     ///< none: it is gone
+    DeviceId device{};     ///< none: it is gone, or not of the family that is asked for
     std::uint32_t row = 0; ///< of the queue; 0: it is not in it
     service::RowState state = service::RowState::Skipped;
     GlyphState glyph = GlyphState::Waiting;
@@ -30,7 +30,8 @@ struct QueueLine {
     friend bool operator==(const QueueLine &, const QueueLine &) = default;
 };
 
-/// Units of the queue in its order, then those of the family that are not in it. `version`: of the image, empty without one.
+/// Units of the queue in its order, also of one that has ended, then those of the family that are not in it. `version`: of the image
+/// that these would get, empty without one.
 [[nodiscard]] std::vector<QueueLine> queueLines(
     const ServiceView &view, const Snapshot &shot, const Family *family, const std::string &version, Instant now);
 

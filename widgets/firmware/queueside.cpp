@@ -9,6 +9,8 @@
 #include "widgets/firmware/unitsteps.h"
 #include "widgets/service/verdictof.h"
 
+#include <utility>
+
 namespace mb {
 
 using service::RowState;
@@ -19,21 +21,28 @@ QueueSide::QueueSide(const ThemeSource &theme, QWidget *parent)
     add(m_unit = new UnitSteps(theme, this));
 }
 
-void QueueSide::setRecipe(const QueueRecipe &recipe)
+void QueueSide::noteWhatTurns(const QueueRecipe &recipe)
 {
-    const auto image = recipe.image();
-    const UpdateRoute *const route = recipe.route();
-    setGuided(route && !route->steps.empty());
-    steps().setSteps(route ? route->steps : std::span<const GuidedStep>());
-    map().setParts(image ? image->parts : std::vector<int>{}, image ? image->criticalPart : std::nullopt);
     const auto test = recipe.matter() ? recipe.matter()->recipe.test : std::nullopt;
     setNotes(test
             ? tr("The self-test turns the motor: %1. Hold Arm in the header once the queue runs.").arg(motionOf(*test))
             : QString());
 }
 
+void QueueSide::setRecipe(const QueueRecipe &recipe)
+{
+    if (std::exchange(m_matter, recipe.matter()) == recipe.matter())
+        return;
+    const auto image = recipe.image();
+    const UpdateRoute *const route = recipe.route();
+    setGuided(route && !route->steps.empty());
+    steps().setSteps(route ? route->steps : std::span<const GuidedStep>());
+    map().setParts(image ? image->parts : std::vector<int>{}, image ? image->criticalPart : std::nullopt);
+}
+
 void QueueSide::showUnit(const service::QueueRow *row, const QueueLine *line, const QueueRecipe &recipe)
 {
+    setRecipe(recipe);
     if (m_unit->row() != (row ? row->id : 0))
         map().setStates({}); // of another unit
     const QString title = line ? line->title : QString();

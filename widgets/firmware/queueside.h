@@ -2,7 +2,10 @@
 #pragma once
 
 #include "service/queuerow.h"
+#include "service/recipematter.h"
 #include "widgets/firmware/updateside.h"
+
+#include <memory>
 
 namespace mb {
 
@@ -16,16 +19,18 @@ class QueueSide : public UpdateSide {
 public:
     QueueSide(const ThemeSource &theme, QWidget *parent);
 
-    /// What is done to every unit.
-    void setRecipe(const QueueRecipe &recipe);
-    /// nullptr: none that was served, and none at all.
+    /// Of what is done to every unit.
+    void noteWhatTurns(const QueueRecipe &recipe);
+    /// By what is or was done to it. nullptr: none that was served, and none at all.
     void showUnit(const service::QueueRow *row, const QueueLine *line, const QueueRecipe &recipe);
     [[nodiscard]] UnitSteps &unit() const { return *m_unit; }
 
 private:
+    void setRecipe(const QueueRecipe &recipe);
     void followHands(const service::QueueRow *row);
 
     UnitSteps *m_unit = nullptr;
+    std::shared_ptr<const service::RecipeMatter> m_matter; ///< that steps and pages are of
 };
 
 } // namespace mb

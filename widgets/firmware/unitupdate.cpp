@@ -241,8 +241,8 @@ void UnitUpdate::followRoute(const DeviceView *device, const OperationView *oper
     const bool guided = route && !route->steps.empty();
     m_side->setGuided(guided);
     m_side->steps().setSteps(guided ? route->steps : std::span<const GuidedStep>());
-    if (guided)
-        m_side->steps().follow(operation ? &operation->status : nullptr);
+    if (guided) // parts of another unit's update are no steps
+        m_side->steps().follow(operation && operation->device == m_selection.device() ? &operation->status : nullptr);
 }
 
 /// What is being written is shown until it is over, whatever is selected meanwhile: on the link of the selected device first.
@@ -354,16 +354,17 @@ void UnitUpdate::followChecks(const DeviceView *device)
 void UnitUpdate::followOrders(const DeviceView *device, const OperationView *operation)
 {
     const bool running = isRunning(operation);
+    const bool queued = running && isOfQueue(*operation); // which does not tell how much it has written
     m_start->setEnabled(canStart());
     m_start->setToolTip(hindrance());
     m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity->state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
-    m_cancel->setEnabled(running && operation->status.mayInterrupt && !isOfQueue(*operation));
+    m_cancel->setEnabled(running && operation->status.mayInterrupt && !queued);
     const UpdateWords words = wordsFor(operation);
-    m_cancel->setToolTip(running && !operation->status.mayInterrupt
-            ? tableText(words.critical)
-            : leftAfter(running ? operation->status.update.pages : 0, words));
+    m_cancel->setToolTip(running && !operation->status.mayInterrupt ? tableText(words.critical)
+            : queued                                                ? QString()
+                     : leftAfter(running ? operation->status.update.pages : 0, words));
 }
 
 QString UnitUpdate::remaining(const OperationStatus &status) const

@@ -14,12 +14,16 @@
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 
+#include <algorithm>
 #include <optional>
 
 namespace mb {
 namespace {
 
 enum SignalRole { DeviceRole = Qt::UserRole, ChannelRole, UnitRole };
+
+constexpr Qt::ItemFlags tickable
+    = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled;
 
 Signal signalOf(const QListWidgetItem &item)
 {
@@ -101,7 +105,8 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     connect(m_list, &QListWidget::customContextMenuRequested, this, &SignalList::showMenu);
     connect(m_list, &QListWidget::itemChanged, this, &SignalList::itemChanged);
     connect(m_list, &QListWidget::itemActivated, this, [](QListWidgetItem *item) {
-        item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+        if (item->flags() == tickable)
+            item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
     });
 }
 
@@ -118,8 +123,7 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
     m_shown = shown;
     m_devices = devices;
     m_isBehind = m_list->viewport()->underMouse();
-    if (!m_isBehind)
-        fill();
+    m_isBehind ? extend() : fill();
 }
 
 bool SignalList::eventFilter(QObject *watched, QEvent *event)
@@ -137,15 +141,15 @@ void SignalList::setDerived(const QStringList &names)
     fill();
 }
 
-void SignalList::add(const Signal &signal, const QString &name, const QString &unit, const QString &hint)
+void SignalList::add(const Row &row)
 {
-    auto *item = new QListWidgetItem(name, m_list);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled);
-    item->setData(DeviceRole, signal.device.value);
-    item->setData(ChannelRole, signal.channel.value);
-    item->setData(UnitRole, unit);
-    item->setToolTip(hint);
-    item->setCheckState(m_chosen.contains(signal) ? Qt::Checked : Qt::Unchecked);
+    auto *item = new QListWidgetItem(row.name, m_list);
+    item->setFlags(tickable);
+    item->setData(DeviceRole, row.signal.device.value);
+    item->setData(ChannelRole, row.signal.channel.value);
+    item->setData(UnitRole, row.unit);
+    item->setToolTip(row.hint);
+    item->setCheckState(m_chosen.contains(row.signal) ? Qt::Checked : Qt::Unchecked);
 }
 
 /// What is the first in sight stays that, and what is current.
@@ -158,7 +162,8 @@ void SignalList::fill()
     const QSignalBlocker quiet(m_list);
     m_isBehind = false;
     m_list->clear();
-    refill();
+    for (const Row &row : rows())
+        add(row);
     QListWidgetItem *first = nullptr;
     for (int i = 0; i < m_list->count(); ++i) {
         QListWidgetItem *const item = m_list->item(i);
@@ -171,12 +176,29 @@ void SignalList::fill()
         m_list->scrollToItem(first, QAbstractItemView::PositionAtTop);
 }
 
-void SignalList::refill()
+void SignalList::extend()
 {
+    const QSignalBlocker quiet(m_list);
+    const std::vector<Row> wanted = rows();
+    std::set<Signal> listed;
+    for (int i = 0; i < m_list->count(); ++i) {
+        QListWidgetItem *const item = m_list->item(i);
+        const Signal signal = signalOf(*item);
+        listed.insert(signal);
+        item->setFlags(std::ranges::find(wanted, signal, &Row::signal) == wanted.end() ? Qt::NoItemFlags : tickable);
+    }
+    const auto last = std::find_if(
+        wanted.rbegin(), wanted.rend(), [&listed](const Row &row) { return listed.contains(row.signal); });
+    std::for_each(last.base(), wanted.end(), [this](const Row &row) { add(row); });
+}
+
+std::vector<SignalList::Row> SignalList::rows() const
+{
+    std::vector<Row> rows;
     for (int i = 0; i < m_derived.size(); ++i) {
         if (!m_derived.at(i).isEmpty())
-            add({derivedDevice, {static_cast<std::uint16_t>(i)}}, m_derived.at(i), tr("derived"),
-                tr("%1\nright click removes the signal").arg(m_derived.at(i)));
+            rows.push_back({{derivedDevice, {static_cast<std::uint16_t>(i)}}, m_derived.at(i), tr("derived"),
+                tr("%1\nright click removes the signal").arg(m_derived.at(i))});
     }
     for (const DeviceView &device : m_devices) {
         if (device.identity->state == DeviceState::Bootloader)
@@ -184,10 +206,11 @@ void SignalList::refill()
         for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
             const Channel &row = device.channels()[i];
             const QString name = signalName(device, {i}, m_devices);
-            add({device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
-                tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name));
+            rows.push_back({{device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
+                tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name)});
         }
     }
+    return rows;
 }
 
 void SignalList::showMenu(const QPoint &at)

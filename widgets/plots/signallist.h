@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <set>
+#include <vector>
 
 class QListWidget;
 class QListWidgetItem;
@@ -23,7 +24,8 @@ class SignalList : public QWidget {
 public:
     explicit SignalList(const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// Devices may have come or gone: no row moves under the mouse, they are listed once it has left.
+    /// Devices may have come or gone. No row moves under the mouse: until it has left, what is gone can only be ticked no more, and what has
+    /// come is listed where that is below all others.
     void setDevices(const std::vector<DeviceView> &devices);
     /// Names by place; an empty one is no signal any more.
     void setDerived(const QStringList &names);
@@ -39,16 +41,23 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    struct Row {
+        Signal signal;
+        QString name;
+        QString unit;
+        QString hint;
+    };
     void itemChanged(QListWidgetItem *item);
+    [[nodiscard]] std::vector<Row> rows() const;
     void fill();
-    void refill();
-    void add(const Signal &signal, const QString &name, const QString &unit, const QString &hint);
+    void extend();
+    void add(const Row &row);
     void showMenu(const QPoint &at);
 
     const ThemeSource &m_theme;
     std::set<Signal> m_chosen;
     QString m_shown;         ///< which devices, as text
-    bool m_isBehind = false; ///< they are not listed yet
+    bool m_isBehind = false; ///< they are not listed as they should be
     std::vector<DeviceView> m_devices;
     QStringList m_derived;
     QListWidget *m_list = nullptr;
