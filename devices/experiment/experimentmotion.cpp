@@ -2,6 +2,7 @@
 #include "experiment/experimentmotion.h"
 
 #include "async/sleep.h"
+#include "experiment/direction.h"
 #include "experiment/equivalenttime.h"
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
@@ -84,10 +85,11 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
 {
     m_origin = guards.origin;
     m_recorder.guard(guards);
-    m_recorder.expect(m_trial.stimulus.from);
     const SetPoint first = setPointAt(m_trial.stimulus.from);
     if (auto started = m_stream.start(first, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
+    co_await untilSent(m_device.clock(), m_stream); // until then nothing pushes it to X
+    m_recorder.expect(m_trial.stimulus.from);
     co_await goTo(m_trial.stimulus.from);
     for (int i = 0; i < m_plan.repeat && !isOver(); ++i)
         co_await followOnce(ditherOf(i, m_plan.repeat, period));

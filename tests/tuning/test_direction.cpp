@@ -2,8 +2,11 @@
 // The check of the direction from inside: how hard it pushes, what ends it, and for how long nobody need watch.
 #include "async/sleep.h"
 #include "families/quadquad2drv/codec.h"
+#include "model/leaserenewal.h"
+#include "support/fakeguard.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
+#include "transport/backends/virtualcan.h"
 #include "wire/bytes.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +15,11 @@
 #include <cmath>
 #include <string_view>
 #include <tuple>
+#include <utility>
+
+namespace mb::abstractdc {
+extern const Family family;
+}
 
 namespace mb::tuning {
 namespace {
@@ -155,6 +163,67 @@ TEST(Direction, ANudgeIsStoppedWithinSixtyCounts)
     EXPECT_LE(farthest, 60.0 + 0.02 * fastest);
     ASSERT_TRUE(task.result()) << task.result().error().text();
     EXPECT_EQ(task.result()->reason, "travel") << task.result()->detail;
+}
+
+/// On a line that outlives the program, so that what has no watchdog needs a guardian.
+class InheritableLink final : public VirtualCanLink {
+public:
+    using VirtualCanLink::VirtualCanLink;
+
+private:
+    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, 7}; }
+};
+
+/// Of a drive whose every guardian stands so late.
+Result<double> dutyThatMoves(Duration late)
+{
+    test::FakeGuard guard;
+    VirtualClock clock;
+    VirtualCanBus bus(clock, 1'000'000, 1);
+    InheritableLink host(*LinkAddress::parse("socketcan:can0"), bus);
+    VirtualCanLink port(*LinkAddress::parse("socketcan:can0"), bus);
+    EXPECT_TRUE(host.open() && port.open());
+    const auto simulator = std::move(*abstractdc::family.simulate(port, clock, *SimulatedUnit::parse("abstractdc:3")));
+    struct Sink final : ScanSink {
+        void found(const Identity &identity) override { last = identity; }
+        void progress(const Message &, int, int) override { }
+        std::optional<Identity> last;
+    } sink;
+    EXPECT_TRUE(test::run(clock, abstractdc::family.scan(host, clock, sink)));
+    const auto device = abstractdc::family.open(host, clock, *sink.last);
+    clock.advance(1s);
+    guard.standsAtOnce = false;
+    device->guard().setSource(&guard);
+    SetPointStream stream(*device, clock);
+    const LeaseRenewal renewal(clock, [&stream] { stream.renew(); });
+    TrialRecorder recorder(*device, stream, Mode::Velocity, 1);
+    GuardPlan guards;
+    guards.longest = 60s;
+    std::optional<Trip> trip;
+    auto task = checkDirection(*device, stream, recorder, 1, guards, trip);
+    task.start();
+    int seen = 0;
+    Instant standsAt = Instant::max();
+    EXPECT_TRUE(clock.runUntil(
+        [&] {
+            if (std::exchange(seen, guard.calls) != guard.calls)
+                standsAt = clock.now() + late;
+            if (guard.isWatching() && clock.now() >= standsAt) {
+                standsAt = Instant::max();
+                guard.become(GuardWatch::State::Standing);
+            }
+            return task.isFinished();
+        },
+        60s));
+    EXPECT_GT(seen, 0);
+    return task.result();
+}
+
+TEST(Direction, APushBeginsOnceItsGuardianStands)
+{
+    const auto quick = dutyThatMoves(0ms);
+    ASSERT_TRUE(quick) << quick.error().text();
+    EXPECT_EQ(dutyThatMoves(400ms).value_or(-1.0), *quick) << "and is no harder for it";
 }
 
 TEST(Direction, AndOfAnExperimentBeforeItsMotion)
