@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The check of the direction from inside: how hard it pushes, what ends it, and for how long nobody need watch.
 #include "async/sleep.h"
+#include "experiment/nudge.h"
 #include "families/quadquad2drv/codec.h"
 #include "model/leaserenewal.h"
 #include "support/fakeguard.h"
@@ -224,6 +225,65 @@ TEST(Direction, APushBeginsOnceItsGuardianStands)
     const auto quick = dutyThatMoves(0ms);
     ASSERT_TRUE(quick) << quick.error().text();
     EXPECT_EQ(dutyThatMoves(400ms).value_or(-1.0), *quick) << "and is no harder for it";
+}
+
+/// How far it goes while somebody finds out which one it is.
+struct Nudged {
+    explicit Nudged(ExperimentBench &bench)
+    {
+        Simulator &motor = *bench.simulator();
+        const double start = motor.position();
+        auto task = nudge(*bench.device, bench.bench.session.stream(*bench.device), 1, bench.surroundings);
+        task.start();
+        EXPECT_TRUE(bench.bench.clock.runUntil(
+            [&] {
+                if (motor.isOutputOn()) {
+                    farthest = std::max(farthest, std::abs(motor.position() - start));
+                    fastest = std::max(fastest, std::abs(motor.speed()));
+                }
+                return task.isFinished();
+            },
+            60s));
+        EXPECT_FALSE(motor.isOutputOn());
+        result = task.result();
+    }
+
+    double farthest = 0.0;
+    double fastest = 0.0;
+    Result<double> result;
+};
+
+TEST(Nudge, ThatIsAClosedLoopIsEndedByTheCheckOfItsDirection)
+{
+    for (const int node : {4, 5}) {
+        ExperimentBench bench("sim:serial", "supermodified", node);
+        EXPECT_TRUE(bench.simulator()->disturb("encoder-reversed", 1.0));
+        const Nudged nudged(bench);
+        ASSERT_FALSE(nudged.result) << *nudged.result;
+        EXPECT_EQ(nudged.result.error().fault, Fault::Unsafe) << nudged.result.error().text();
+        EXPECT_LE(nudged.farthest, 60.0 + 0.02 * nudged.fastest) << node;
+    }
+}
+
+TEST(Nudge, TurnsAGoodShaftALittle)
+{
+    for (const auto &[link, family, address] : {std::tuple{"sim:serial", "supermodified", 4},
+             {"sim:serial", "supermodified", 5}, {"sim:can", "abstractdc", 3}, {"sim:spi", "quadquad2drv", 0}}) {
+        ExperimentBench bench(link, family, address);
+        const Nudged nudged(bench);
+        ASSERT_TRUE(nudged.result) << family << ' ' << nudged.result.error().text();
+        EXPECT_GE(*nudged.result, 8.0) << family;
+    }
+}
+
+TEST(Nudge, EndsWithAnInterruption)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    Timer soon(bench.bench.clock);
+    soon.startIn(700ms, [&bench] { bench.interruption.interrupt(); });
+    const Nudged nudged(bench);
+    ASSERT_FALSE(nudged.result) << *nudged.result;
+    EXPECT_EQ(nudged.result.error().fault, Fault::Cancelled) << nudged.result.error().text();
 }
 
 TEST(Direction, AndOfAnExperimentBeforeItsMotion)
