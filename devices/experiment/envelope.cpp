@@ -114,28 +114,34 @@ bool isClosedLoop(Mode mode)
     return mode == Mode::Position || mode == Mode::Velocity || mode == Mode::Current;
 }
 
-Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position)
+Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position,
+    const std::vector<ParameterChange> &changes)
 {
+    std::vector<ParameterStore::Entry> inForce(entries.begin(), entries.end());
+    for (const ParameterChange &change : changes) {
+        if (change.index.value < inForce.size())
+            inForce[change.index.value].raw = change.raw;
+    }
     Envelope envelope;
     std::optional<double> otherSide;
     for (const DeviceLimit &limit : family.trials->limits) {
         const bool on = limit.enabled.empty()
-            || numberOf(family, entries, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
-        const auto value = on ? numberOf(family, entries, gainKey(family, limit.key, axis, slot)) : std::nullopt;
+            || numberOf(family, inForce, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
+        const auto value = on ? numberOf(family, inForce, gainKey(family, limit.key, axis, slot)) : std::nullopt;
         if (value)
             apply(envelope, limit, *value / limit.one, position, otherSide);
     }
     return envelope;
 }
 
-Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position)
+Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position, std::vector<ParameterChange> changes)
 {
     const Family &family = device.family();
     for (const DeviceLimit &limit : family.trials->limits) {
         for (const std::string_view key : {limit.enabled, limit.key})
             co_await refresh(device, gainKey(family, key, axis, slot));
     }
-    co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
+    co_return ownLimits(family, device.parameters().entries(), axis, slot, position, changes);
 }
 
 Result<void> checkBound(const EnvelopeBound &bound, double value)

@@ -141,6 +141,10 @@ TEST(Autotune, AWireThatLosesAllTheTimeStopsIt)
 TEST(Autotune, LeavesTheSlotItProvedInAsItWas)
 {
     ExperimentBench bench("sim:can", "dmc60c", 5);
+    for (const auto &[key, gentle] : {std::pair{"slot1.max_forward", 6553.0}, {"slot1.max_reverse", -6553.0}}) {
+        const ParameterChange change = bench.change(key, gentle); // those of the slot that it is for bound its proof
+        ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw))) << key;
+    }
     std::vector<std::int64_t> other;
     for (const std::string_view key : {"slot1.p", "slot1.i", "slot1.d", "slot1.f", "slot1.max_forward"})
         other.push_back(rawOf(bench, key));

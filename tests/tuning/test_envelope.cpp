@@ -68,6 +68,22 @@ TEST(EnvelopeOfItsOwn, ALimitCountsWhereItIsSwitchedOn)
     EXPECT_NEAR(own.at(0.0).duty.value_or(9.0), 0.3, 1e-4) << "it has no switch";
 }
 
+TEST(EnvelopeOfItsOwn, IsThatOfTheGainsThatWillBeInForce)
+{
+    OwnLimits own;
+    own.set("slot0.max_forward", 9830.0);
+    own.set("current_limit.continuous", 5.0);
+    own.set("current_limit.enabled", 0.0);
+    const auto change = [](std::string_view key, std::int64_t raw) {
+        return ParameterChange{*findParameter(dmc60c().parameters, key), raw};
+    };
+    const Envelope changed = ownLimits(dmc60c(), own.store.entries(), 1, 0, 0.0,
+        {change("slot0.max_forward", 6553), change("current_limit.enabled", 1)});
+    EXPECT_NEAR(changed.duty.value_or(9.0), 0.2, 1e-4);
+    EXPECT_EQ(changed.current, 5.0);
+    EXPECT_NEAR(own.at(0.0).duty.value_or(9.0), 0.3, 1e-4) << "nothing was written";
+}
+
 TEST(EnvelopeOfItsOwn, IsAskedOfTheUnit)
 {
     ExperimentBench bench;

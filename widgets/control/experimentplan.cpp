@@ -47,10 +47,15 @@ tuning::EnvelopeFacts factsOf(const DeviceView &device, int axis)
     return {device.selector, device.link.starts_with("sim:"), scaled};
 }
 
+Envelope itsOwn(const DeviceView &device, const ExperimentWish &wish, Instant now)
+{
+    return tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now),
+        triable(*device.family, wish.gains));
+}
+
 Envelope ownOf(const DeviceView &device, const ExperimentWish &wish, Instant now)
 {
-    const Envelope own
-        = tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
+    const Envelope own = itsOwn(device, wish, now);
     const Envelope bench = device.link.starts_with("sim:") ? device.family->trials->bench : Envelope();
     Envelope known;
     for (const EnvelopeBound &each : envelopeBounds) {
@@ -141,8 +146,8 @@ ExperimentCheck checkExperiment(
         return check;
     }
     const double here = originOf(device, wish, now);
-    const auto envelope = tuning::resolve(family, factsOf(device, wish.axis), wish.mode, wish.limits,
-        tuning::ownLimits(family, *device.parameters, wish.axis, wish.slot, here));
+    const auto envelope
+        = tuning::resolve(family, factsOf(device, wish.axis), wish.mode, wish.limits, itsOwn(device, wish, now));
     check.inForce = envelope ? *envelope : ownOf(device, wish, now);
     if (!envelope) {
         check.missing
