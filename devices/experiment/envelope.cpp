@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/envelope.h"
 
+#include "experiment/experimentmotion.h"
 #include "model/axis.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
@@ -74,13 +75,16 @@ tl::unexpected<Error> outside(const Message &what, double value, double limit)
         say("take a smaller step or widen it"));
 }
 
+/// Of a loop that follows at once, which is at X before each stimulus and after it.
 double wayOf(const Stimulus &stimulus, int repeat, double gone)
 {
+    const double atStart = stimulus.from * secondsAtStart(0.0, stimulus.length(), repeat);
     double way = 0.0;
     double farthest = std::abs(gone);
     for (double t = 0.0; t < stimulus.length(); t += wayStep) {
         way += stimulus.at(t) * wayStep;
-        farthest = std::max(farthest, std::abs(gone + way * repeat));
+        for (const double before : {0.0, atStart})
+            farthest = std::max(farthest, std::abs(gone + before + way * repeat));
     }
     return farthest;
 }

@@ -43,6 +43,18 @@ double secondsAfter(double lag, double length)
     return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
 }
 
+double secondsAtStart(double lag, double length, int repeat)
+{
+    const double once = inSeconds(stillBefore) + secondsAfter(lag, length);
+    return secondsBefore(lag) - inSeconds(stillBefore) + once * repeat;
+}
+
+double longestSeconds(double length, int repeat)
+{
+    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
+    return inSeconds(approachLimit) + once * repeat;
+}
+
 ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
     : m_device(device)
@@ -69,9 +81,7 @@ SetPoint ExperimentMotion::setPointAt(double target) const
 
 Duration ExperimentMotion::longest() const
 {
-    const double length = m_trial.stimulus.length();
-    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
-    return approachLimit + ofSeconds(once * m_plan.repeat);
+    return ofSeconds(longestSeconds(m_trial.stimulus.length(), m_plan.repeat));
 }
 
 void ExperimentMotion::setTarget(double target)

@@ -184,6 +184,11 @@ TEST(EnvelopeOfATrial, AStimulusThatWouldLeaveItIsRefused)
         EXPECT_EQ(inside.has_value(), *row.outside == '\0') << told;
         EXPECT_TRUE(told.starts_with(row.outside)) << told << ", expected " << row.outside;
     }
+    const auto onItsWay = [&within](double from, double to) {
+        return checkInside(within, Mode::Velocity, *Stimulus::make(Profile::Step, from, to, 0.1, 0.02), 1, 0.0);
+    };
+    EXPECT_TRUE(onItsWay(4000.0, 4200.0));
+    EXPECT_FALSE(onItsWay(8000.0, 7600.0)) << "it is at X before and after";
     const auto up = Stimulus::make(Profile::Step, 0.0, 1000.0, 2.0, 0.02);
     EXPECT_FALSE(checkInside(within, Mode::Velocity, *up, 2, 0.0, 1500.0)) << "farther from where travel is counted";
     EXPECT_TRUE(checkInside(within, Mode::Velocity, *up, 2, 0.0, -1500.0)) << "through it";

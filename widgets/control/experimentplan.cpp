@@ -2,6 +2,7 @@
 #include "widgets/control/experimentplan.h"
 
 #include "experiment/envelope.h"
+#include "experiment/experimentmotion.h"
 #include "experiment/gains.h"
 #include "model/axis.h"
 #include "model/family.h"
@@ -85,8 +86,8 @@ QString insideText(
         : wish.mode == Mode::Current                                          ? &Envelope::current
                                                                               : &Envelope::duty;
     const double bound = wish.mode == Mode::Position ? 0.0 : (envelope.*kind).value_or(0.0);
-    const QString seconds
-        = ExperimentText::tr("at most %1 s").arg(formatNumber(stimulus.length() * 2.0 * wish.stimulus.repeat, 1));
+    const QString seconds = ExperimentText::tr("at most %1 s")
+                                .arg(formatNumber(tuning::longestSeconds(stimulus.length(), wish.stimulus.repeat), 1));
     if (bound <= 0.0)
         return ExperimentText::tr("inside the envelope · %1").arg(seconds);
     return ExperimentText::tr("inside the envelope · %1 of %2 · %3")
