@@ -70,8 +70,9 @@ std::string together(const std::vector<std::string> &options)
 
 tl::unexpected<Error> outside(const Message &what, double value, double limit)
 {
+    const auto rounded = [](double number) { return std::round(number * 1000.0) / 1000.0; };
     return fail(Fault::OutOfRange,
-        say("%1 %2 is outside the envelope, which ends at %3", what, std::round(value * 1000.0) / 1000.0, limit),
+        say("%1 %2 is outside the envelope, which ends at %3", what, rounded(value), rounded(limit)),
         say("take a smaller step or widen it"));
 }
 
