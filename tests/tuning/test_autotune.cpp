@@ -176,6 +176,36 @@ TEST(Autotune, LeavesTheSlotItProvedInAsItWas)
         EXPECT_EQ(rawOf(bench, key), other.at(at++)) << key;
 }
 
+TEST(Autotune, ThatOwesGainsIsRefusedBeforeAnythingMovesWhereNobodyKeepsThem)
+{
+    const auto planFor = [](Mode loop, bool propose, bool keep) {
+        TunePlan plan = planOf(loop);
+        plan.propose = propose;
+        plan.keep = keep;
+        return plan;
+    };
+    for (const auto &[link, family, address, plan] :
+        {std::tuple{"sim:serial", "supermodified", 4, planFor(Mode::Position, true, false)},
+            {"sim:serial", "supermodified", 4, planFor(Mode::Position, false, true)},
+            {"sim:can", "dmc60c", 5, planFor(Mode::Velocity, false, true)},
+            {"sim:can", "dmc60c", 5, planFor(Mode::Velocity, false, false)}}) {
+        ExperimentBench bench(link, family, address);
+        bench.surroundings.journal = nullptr;
+        EXPECT_TRUE(writesGains(*bench.device, plan) && owesGains(*bench.device, plan)) << family;
+        const double place = bench.simulator()->position();
+        const auto report = tune(bench, plan);
+        ASSERT_FALSE(report) << report->evidence;
+        EXPECT_EQ(report.error().fault, Fault::OutOfRange) << report.error().text();
+        EXPECT_EQ(bench.simulator()->position(), place) << family;
+    }
+    ExperimentBench bench;
+    EXPECT_FALSE(writesGains(*bench.device, planFor(Mode::Velocity, true, false)));
+    EXPECT_FALSE(owesGains(*bench.device, planFor(Mode::Velocity, true, false)));
+    ExperimentBench drive("sim:can", "abstractdc", 3);
+    EXPECT_FALSE(owesGains(*drive.device, planFor(Mode::Velocity, false, true)))
+        << "nobody knows them, and they may stay";
+}
+
 TEST(Autotune, ProvesAPositionLoop)
 {
     ExperimentBench bench("sim:can", "dmc60c", 5);
