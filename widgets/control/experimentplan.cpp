@@ -147,8 +147,9 @@ ExperimentCheck checkExperiment(
         return check;
     }
     const double here = originOf(device, wish, now);
+    const Mode bounded = wish.loop.value_or(wish.mode);
     const auto envelope
-        = tuning::resolve(family, factsOf(device, wish.axis), wish.mode, wish.limits, itsOwn(device, wish, now));
+        = tuning::resolve(family, factsOf(device, wish.axis), bounded, wish.limits, itsOwn(device, wish, now));
     check.inForce = envelope ? *envelope : ownOf(device, wish, now);
     if (!envelope) {
         check.missing
