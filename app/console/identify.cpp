@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/console/nudge.h"
 #include "app/console/pace.h"
 #include "app/console/question.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "experiment/direction.h"
+#include "experiment/nudge.h"
+#include "model/leaserenewal.h"
 
 #include <cmath>
 #include <memory>
@@ -44,6 +46,36 @@ Task<void> mayNudge(Console &console, const Target &target, const IdentifyArgume
     co_return fail(Fault::Cancelled, say("its shaft was not turned"),
         say("turn it by hand and see which position moves: motorbenchctl watch %1%2", arguments.device,
             positionOption(*target.family)));
+}
+
+/// A signal ends it through its own stop.
+Task<double> nudge(Console &console, Device &device, int axis)
+{
+    SetPointStream &stream = console.session().stream(device);
+    const LeaseRenewal renewal(console.clock(), [&stream] { stream.renew(); });
+    tuning::Interruption interruption;
+    if (console.isInterrupted())
+        interruption.interrupt();
+    const Subscription signal = console.interrupted().add([&interruption] { interruption.interrupt(); });
+    tuning::ExperimentSurroundings surroundings;
+    surroundings.interruption = &interruption;
+    surroundings.note = [&console](const Message &text) { console.note(text.english()); };
+    auto nudging = tuning::nudge(device, stream, axis, surroundings);
+    const Result<double> moved = co_await std::move(nudging).attempt();
+    const bool stopped = co_await tuning::confirmStop(device);
+    if (device.link().state() == LinkState::Lost || stream.end() == SetPointStream::End::LinkLost) // it may be back
+        co_return fail(Fault::LinkLost,
+            say("the link was lost while the shaft was turned (%1)", device.link().loss().message()),
+            say("see that the motor stands before anything else"));
+    if (!stopped)
+        co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),
+            say("cut its power if the motor still turns"));
+    if (interruption.isRequested())
+        co_return fail(Fault::Cancelled, say("interrupted before it was done; %1 has stopped", device.selector()));
+    if (moved && std::abs(*moved) < tuning::leastNudged)
+        co_return fail(Fault::Refused, say("the shaft of %1 did not move (%2 counts)", device.selector(), *moved),
+            say("look whether it is blocked, or its encoder dead"));
+    co_return moved;
 }
 
 Task<int> identify(Console &console, IdentifyArguments arguments)

@@ -102,7 +102,7 @@ Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, cons
 {
     Experimenting experimenting(console, session, device, notebook, plan.tuning.axis);
     ExperimentSurroundings surroundings = experimenting.surroundings();
-    if (!plan.tuning.propose)
+    if (writesGains(device, plan.tuning))
         surroundings.before = [&] { return notebook.keepBefore(device, settings::Occasion::Tuning); };
     co_return co_await autotune(device, experimenting.stream(), plan.tuning, std::move(surroundings)).attempt();
 }
@@ -154,6 +154,8 @@ Task<std::optional<Error>> storeGains(Console &console, Device &device, TuneRepo
 
 Task<int> perform(Console &console, Session &session, Device &device, TuneOrder plan, Notebook &notebook)
 {
+    if (notebook.trouble() && owesGains(device, plan.tuning))
+        co_return fail(putsNothingBack(*notebook.trouble()));
     co_await notebook.settleOwed(device, plan.yes);
     Result<TuneReport> report = co_await tuneOn(console, session, device, plan, notebook).attempt();
     if (!report)
@@ -177,8 +179,6 @@ Task<int> tune(Console &console, TuneArguments arguments)
 {
     const auto plan = co_await check(console, arguments);
     Notebook notebook(console);
-    if (notebook.trouble() && !plan.tuning.propose && !plan.tuning.keep)
-        co_return fail(putsNothingBack(*notebook.trouble()));
     auto performing = performOn(console, plan.target,
         [&](Session &session, Device &device) { return perform(console, session, device, plan, notebook); });
     co_return co_await std::move(performing).attempt();

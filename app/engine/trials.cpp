@@ -4,6 +4,7 @@
 #include "experiment/verdict.h"
 #include "model/family.h"
 #include "settings/snapshots.h"
+#include "tuning/autotune.h"
 
 #include <algorithm>
 #include <tuple>
@@ -25,7 +26,7 @@ template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interru
 Task<tuning::TuneReport> tuneKept(
     Device &device, tuning::TunePlan plan, settings::SettingsLog *log, Task<tuning::TuneReport> story)
 {
-    if (log && !plan.propose) {
+    if (log && tuning::writesGains(device, plan)) {
         NoProgress unseen;
         auto taking = settings::takeSnapshot(device, settings::Occasion::Tuning, {}, *log, unseen);
         (void)co_await std::move(taking).attempt();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mb::tuning {
 namespace {
@@ -38,22 +39,27 @@ double roundedUp(double value)
     return unit < 1.0 ? steps / std::round(1.0 / unit) : steps * unit; // not 3.8000000000000003
 }
 
-std::optional<double> speedOf(const ExperimentPlan &plan, const Stimulus &stimulus, double duty, double gain)
+std::optional<double> speedOf(const ExperimentPlan &plan, double target, double duty, double gain)
 {
     if (plan.mode == Mode::Velocity)
-        return beyondTarget * std::max(std::abs(stimulus.from), std::abs(stimulus.to));
-    return gain > 0.0 ? std::optional(gain * duty) : std::nullopt;
+        return beyondTarget * target;
+    return gain > 0.0 ? std::optional(gain * (plan.mode == Mode::Duty ? target : duty)) : std::nullopt;
 }
 
-/// Pushes go on where the one before has ended; a set-point of speed is followed until its end, and once more on the way back to 0.
-std::optional<double> travelOf(
-    const ExperimentPlan &plan, const Stimulus &stimulus, double place, std::optional<double> speed, double lag)
+/// Pushes go on where the one before has ended; a set-point of speed is followed until its end, and once more on the way back to X,
+/// whose own is `atStart`.
+std::optional<double> travelOf(const ExperimentPlan &plan, const Stimulus &stimulus, double place,
+    std::optional<double> speed, std::optional<double> atStart, double lag)
 {
     if (plan.mode == Mode::Position)
         return beyondTarget * std::max(std::abs(stimulus.from - place), std::abs(stimulus.to - place));
     if (plan.reach)
         return (rollsOn * *plan.reach + speed.value_or(0.0) * std::max(lag - stopLag, 0.0)) * plan.repeat;
-    return speed ? std::optional(rollsOn * *speed * stimulus.length() * plan.repeat) : std::nullopt;
+    if (!speed || !atStart)
+        return std::nullopt;
+    const double endless = std::numeric_limits<double>::infinity();
+    return rollsOn * *speed * stimulus.length() * plan.repeat
+        + *atStart * secondsAtStart(endless, stimulus.length(), plan.repeat);
 }
 
 void announceDirection(
@@ -75,11 +81,13 @@ Extent extentOf(const ExperimentPlan &plan, const Trial &trial, double origin, d
 {
     const Envelope &envelope = trial.envelope;
     const Stimulus &stimulus = trial.stimulus;
+    const double start = std::abs(stimulus.from);
+    const double most = std::max(start, std::abs(stimulus.to));
     Extent extent;
-    extent.duty = plan.mode == Mode::Duty ? std::max(std::abs(stimulus.from), std::abs(stimulus.to))
-                                          : envelope.duty.value_or(1.0);
-    extent.speed = least(speedOf(plan, stimulus, extent.duty, gain), stopSpeed(envelope));
-    extent.travel = travelOf(plan, stimulus, origin + gone, extent.speed, lag);
+    extent.duty = plan.mode == Mode::Duty ? most : envelope.duty.value_or(1.0);
+    extent.speed = least(speedOf(plan, most, extent.duty, gain), stopSpeed(envelope));
+    const auto atStart = start > 0.0 ? least(speedOf(plan, start, extent.duty, gain), extent.speed) : 0.0;
+    extent.travel = travelOf(plan, stimulus, origin + gone, extent.speed, atStart, lag);
     if (envelope.travel)
         extent.travel = least(extent.travel, *envelope.travel + std::abs(gone));
     return extent;

@@ -30,31 +30,6 @@ constexpr Duration restLimit = 5s;
 constexpr Duration restSpan = 100ms;
 constexpr double restCounts = 3.0;
 
-/// Counts that the motor went while it was pushed: the first that were clear, for a loop that swings may roll out on its way back.
-Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder, SetPoint setPoint,
-    double enough, Duration limit)
-{
-    const double before = recorder.latest("position").value_or(0.0);
-    if (auto started = stream.start(setPoint, experimentLease, {}, SetPointStream::Since::Renewal); !started)
-        co_return fail(started.error());
-    const Instant end = device.clock().now() + limit;
-    double moved = 0.0;
-    while (stream.isRunning() && device.clock().now() < end && std::abs(moved) < enough) {
-        co_await Sleep(device.clock(), glancePeriod);
-        moved = recorder.latest("position").value_or(before) - before;
-        if (device.clock().now() - (end - limit) >= patience && std::abs(moved) < leastNudge)
-            break;
-    }
-    const bool others = !stream.isRunning() && stream.end() == SetPointStream::End::Stopped && !recorder.trip();
-    if (stream.isRunning())
-        stream.stop();
-    (void)co_await confirmStop(device);
-    (void)co_await untilAtRest(device, setPoint.axis);
-    if (others)
-        co_return fail(Fault::Cancelled, stream.reason());
-    co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
-}
-
 std::string verdictKey(const Device &device, int axis)
 {
     return axisKey(device.family().capabilities.axes > 1 ? axis : 0, "direction");
@@ -159,12 +134,6 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         const double pushed = duty;
         auto pushing = push(device, stream, recorder, setPoint, clearMove, traits.nudge > 0.0 ? nudgeTime : pulse);
         moved = co_await std::move(pushing);
-        if (recorder.trip()) {
-            trip = recorder.trip();
-            co_return fail(Fault::Unsafe, trip->detail);
-        }
-        if (stream.end() != SetPointStream::End::Stopped)
-            co_return fail(Fault::Unsafe, stream.reason());
         if (moved >= enough) {
             device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
             co_return pushed;
@@ -180,6 +149,43 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
                     std::round(largest * 100.0), moved));
     co_return wrong(device, axis, trip, Guard::WrongDirection,
         say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
+}
+
+/// Counts that it went while it was pushed: the first that were enough, for a loop that swings may roll out on its way back.
+Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder, SetPoint setPoint,
+    double enough, Duration limit)
+{
+    Clock &clock = device.clock();
+    co_await stream.start(setPoint, experimentLease, {}, SetPointStream::Since::Renewal);
+    co_await untilSent(clock, stream);
+    const double before = recorder.latest("position").value_or(0.0);
+    const Instant begin = clock.now();
+    double moved = 0.0;
+    while (stream.isRunning() && clock.now() < begin + limit && std::abs(moved) < enough) {
+        co_await Sleep(clock, glancePeriod);
+        moved = recorder.latest("position").value_or(before) - before;
+        if (clock.now() >= begin + patience && std::abs(moved) < leastNudge)
+            break;
+    }
+    const bool others = !stream.isRunning() && stream.end() == SetPointStream::End::Stopped && !recorder.trip();
+    if (stream.isRunning())
+        stream.stop();
+    (void)co_await confirmStop(device);
+    (void)co_await untilAtRest(device, setPoint.axis);
+    if (others)
+        co_return fail(Fault::Cancelled, stream.reason());
+    if (recorder.trip())
+        co_return fail(Fault::Unsafe, recorder.trip()->detail);
+    if (stream.end() != SetPointStream::End::Stopped)
+        co_return fail(Fault::Unsafe, stream.reason());
+    co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
+}
+
+Task<void> untilSent(Clock &clock, const SetPointStream &stream)
+{
+    while (stream.waitsForGuard())
+        co_await Sleep(clock, glancePeriod);
+    co_return {};
 }
 
 Task<bool> confirmStop(Device &device, Duration longest)

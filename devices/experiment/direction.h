@@ -44,10 +44,17 @@ private:
 /// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty
 /// command, sends it the short way of TrialTraits::nudge. Yields the duty that moved it (0 where it was sent).
 /// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
-/// the error is Unsafe, and `trip` says which. The stream is idle before and after.
+/// the error is Unsafe, and `trip` says which, where the recorder has none. The stream is idle before and after.
 [[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
     GuardPlan guards, std::optional<Trip> &trip);
 
+/// Moves an axis by this set-point for `limit` at most, which begins with its first frame: a guardian that is still on its way costs it
+/// nothing. Ends where the motor has gone `enough` counts, or does not begin to go. Yields the counts once it rests. Unsafe where something
+/// else has ended it, a trip of the recorder's too, and Cancelled where somebody has. The stream is idle before and after.
+[[nodiscard]] Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder,
+    SetPoint setPoint, double enough, Duration limit);
+/// Waits until what the stream was given is sent, or never will be.
+[[nodiscard]] Task<void> untilSent(Clock &clock, const SetPointStream &stream);
 /// Waits until the device is seen stopped, at most so long, telling it again meanwhile; whether it was.
 [[nodiscard]] Task<bool> confirmStop(Device &device, Duration longest = std::chrono::seconds(2));
 /// Waits until this axis, or every one, is told to stand, at most 5 s; whether it does. What is silent is not seen to stand.

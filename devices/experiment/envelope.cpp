@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/envelope.h"
 
+#include "experiment/experimentmotion.h"
 #include "model/axis.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
@@ -69,18 +70,22 @@ std::string together(const std::vector<std::string> &options)
 
 tl::unexpected<Error> outside(const Message &what, double value, double limit)
 {
+    const auto rounded = [](double number) { return std::round(number * 1000.0) / 1000.0; };
     return fail(Fault::OutOfRange,
-        say("%1 %2 is outside the envelope, which ends at %3", what, std::round(value * 1000.0) / 1000.0, limit),
+        say("%1 %2 is outside the envelope, which ends at %3", what, rounded(value), rounded(limit)),
         say("take a smaller step or widen it"));
 }
 
+/// Of a loop that follows at once, which is at X before each stimulus and after it.
 double wayOf(const Stimulus &stimulus, int repeat, double gone)
 {
+    const double atStart = stimulus.from * secondsAtStart(0.0, stimulus.length(), repeat);
     double way = 0.0;
     double farthest = std::abs(gone);
     for (double t = 0.0; t < stimulus.length(); t += wayStep) {
         way += stimulus.at(t) * wayStep;
-        farthest = std::max(farthest, std::abs(gone + way * repeat));
+        for (const double before : {0.0, atStart})
+            farthest = std::max(farthest, std::abs(gone + before + way * repeat));
     }
     return farthest;
 }
@@ -114,28 +119,34 @@ bool isClosedLoop(Mode mode)
     return mode == Mode::Position || mode == Mode::Velocity || mode == Mode::Current;
 }
 
-Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position)
+Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position,
+    const std::vector<ParameterChange> &changes)
 {
+    std::vector<ParameterStore::Entry> inForce(entries.begin(), entries.end());
+    for (const ParameterChange &change : changes) {
+        if (change.index.value < inForce.size())
+            inForce[change.index.value].raw = change.raw;
+    }
     Envelope envelope;
     std::optional<double> otherSide;
     for (const DeviceLimit &limit : family.trials->limits) {
         const bool on = limit.enabled.empty()
-            || numberOf(family, entries, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
-        const auto value = on ? numberOf(family, entries, gainKey(family, limit.key, axis, slot)) : std::nullopt;
+            || numberOf(family, inForce, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
+        const auto value = on ? numberOf(family, inForce, gainKey(family, limit.key, axis, slot)) : std::nullopt;
         if (value)
             apply(envelope, limit, *value / limit.one, position, otherSide);
     }
     return envelope;
 }
 
-Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position)
+Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position, std::vector<ParameterChange> changes)
 {
     const Family &family = device.family();
     for (const DeviceLimit &limit : family.trials->limits) {
         for (const std::string_view key : {limit.enabled, limit.key})
             co_await refresh(device, gainKey(family, key, axis, slot));
     }
-    co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
+    co_return ownLimits(family, device.parameters().entries(), axis, slot, position, changes);
 }
 
 Result<void> checkBound(const EnvelopeBound &bound, double value)

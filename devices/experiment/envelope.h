@@ -18,11 +18,12 @@ namespace mb::tuning {
 [[nodiscard]] bool isClosedLoop(Mode mode);
 
 /// The limits that the device itself has and that are on, seen from `position`, by what is known of its parameters (in table
-/// order). What is not known bounds nothing.
-[[nodiscard]] Envelope ownLimits(
-    const Family &family, std::span<const ParameterStore::Entry> entries, int axis, int slot, double position);
+/// order) once `changes` are in force. What is not known bounds nothing.
+[[nodiscard]] Envelope ownLimits(const Family &family, std::span<const ParameterStore::Entry> entries, int axis,
+    int slot, double position, const std::vector<ParameterChange> &changes = {});
 /// The same, read anew.
-[[nodiscard]] Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position);
+[[nodiscard]] Task<Envelope> readOwnLimits(
+    Device &device, int axis, int slot, double position, std::vector<ParameterChange> changes = {});
 
 /// What the bounds of a trial depend on, of a device.
 struct EnvelopeFacts {

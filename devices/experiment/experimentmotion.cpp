@@ -2,6 +2,7 @@
 #include "experiment/experimentmotion.h"
 
 #include "async/sleep.h"
+#include "experiment/direction.h"
 #include "experiment/equivalenttime.h"
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
@@ -42,6 +43,18 @@ double secondsAfter(double lag, double length)
     return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
 }
 
+double secondsAtStart(double lag, double length, int repeat)
+{
+    const double once = inSeconds(stillBefore) + secondsAfter(lag, length);
+    return secondsBefore(lag) - inSeconds(stillBefore) + once * repeat;
+}
+
+double longestSeconds(double length, int repeat)
+{
+    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
+    return inSeconds(approachLimit) + once * repeat;
+}
+
 ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
     : m_device(device)
@@ -68,9 +81,7 @@ SetPoint ExperimentMotion::setPointAt(double target) const
 
 Duration ExperimentMotion::longest() const
 {
-    const double length = m_trial.stimulus.length();
-    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
-    return approachLimit + ofSeconds(once * m_plan.repeat);
+    return ofSeconds(longestSeconds(m_trial.stimulus.length(), m_plan.repeat));
 }
 
 void ExperimentMotion::setTarget(double target)
@@ -84,10 +95,11 @@ Task<void> ExperimentMotion::run(GuardPlan guards, double period)
 {
     m_origin = guards.origin;
     m_recorder.guard(guards);
-    m_recorder.expect(m_trial.stimulus.from);
     const SetPoint first = setPointAt(m_trial.stimulus.from);
     if (auto started = m_stream.start(first, experimentLease, {}, SetPointStream::Since::Renewal); !started)
         co_return fail(started.error());
+    co_await untilSent(m_device.clock(), m_stream); // until then nothing pushes it to X
+    m_recorder.expect(m_trial.stimulus.from);
     co_await goTo(m_trial.stimulus.from);
     for (int i = 0; i < m_plan.repeat && !isOver(); ++i)
         co_await followOnce(ditherOf(i, m_plan.repeat, period));

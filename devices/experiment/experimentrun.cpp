@@ -70,7 +70,7 @@ Task<void> ExperimentRun::prepare()
     m_start.gone = place - m_start.origin;
     if (isCounted())
         m_start.origin -= std::exchange(place, 0.0);
-    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_start.origin);
+    const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_start.origin, m_plan.gains);
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
     const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
     if (!envelope)

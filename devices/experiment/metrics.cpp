@@ -24,6 +24,7 @@ constexpr double slowTime = 1.0;       ///< times the rise to a half
 constexpr double wideMean = 3.0;       ///< times the rise to a half
 constexpr double lateOvershoot = 12.0; ///< times that, after which a mean is of noise alone
 constexpr double leastEnd = 0.05;
+constexpr double sureRise = 3.0; ///< σ of a line's rise
 constexpr double madToSigma = 1.4826;
 constexpr double quadraticGain = 2.25; ///< noise that a local quadratic leaves, in its middle
 
@@ -214,6 +215,19 @@ std::optional<double> settleOf(const Normal &normal, double width)
     return settled;
 }
 
+/// It rises all over its tail, by more than that, and was nowhere higher before: what it has come to is not where it ends.
+bool stillRises(const Normal &normal, double width)
+{
+    std::vector<double> times;
+    const std::vector<double> tail = tailOf(normal.raw, &times);
+    const Line line = fitLine(times, tail);
+    const double rise = line.at(times.back()) - line.at(times.front());
+    const double doubt = sureRise * normal.sigma * std::sqrt(12.0 / static_cast<double>(tail.size()));
+    const auto first = normal.z.y.begin() + static_cast<std::ptrdiff_t>(normal.begin);
+    const auto last = normal.z.y.end() - static_cast<std::ptrdiff_t>(tail.size());
+    return rise > std::max(width, doubt) && (first >= last || *std::max_element(first, last) < normal.end);
+}
+
 /// Sums of the error, from the edge, where it is the whole step; in noise only to a while after it has settled.
 void integrate(Metrics &metrics, const Normal &normal)
 {
@@ -304,14 +318,14 @@ Response readResponse(const Trace &measured, std::optional<double> target, doubl
     response.widened = response.band > band * std::abs(normal.end);
     Metrics &metrics = response.metrics;
     metrics.noise = normal.sigma;
-    if (response.moved) {
+    if (response.moved && (normal.sigma <= unreadableNoise || repeats >= enoughRepeats))
+        metrics.settle = settleOf(normal, response.band);
+    if (response.moved && !stillRises(normal, 2.0 * response.band)) { // both sides of it
         const auto low = crossing(normal, 0.1 * normal.end, fewSamples);
         const auto high = crossing(normal, 0.9 * normal.end, normal.half > 0.0 ? manySamples : fewSamples);
         if (low && high)
             metrics.rise = *high - *low;
         metrics.overshoot = overshootOf(normal);
-        if (normal.sigma <= unreadableNoise || repeats >= enoughRepeats)
-            metrics.settle = settleOf(normal, response.band);
     }
     if (target) {
         metrics.sse = 1.0 - normal.end;

@@ -54,6 +54,7 @@ struct Response {
 
 /// Reads one response: samples of the measured value, t = 0 at the edge, some of them before it; from where it was then to
 /// `target`. `repeats`: how many runs are merged in it (equivalenttime.h). Rise, overshoot, settle, sse, iae, itae, noise.
+/// One that still rises when the samples end has not come to where it ends: no rise and no overshoot is told of it.
 /// Without a target (the output of an open loop) it ends where it ends, and nothing is told of its error.
 [[nodiscard]] Response readResponse(
     const Trace &measured, std::optional<double> target, double leastMove, int repeats = 1);

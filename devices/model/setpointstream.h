@@ -61,6 +61,8 @@ public:
     void setCalledOff(const bool *calledOff) { m_calledOff = calledOff; }
 
     [[nodiscard]] bool isRunning() const { return m_running; }
+    /// And nothing was sent yet: its guardian does not stand by.
+    [[nodiscard]] bool waitsForGuard() const { return m_running && m_waiting; }
     /// The latest; while it glides, with the target of the newest frame.
     [[nodiscard]] const SetPoint &setPoint() const { return m_setPoint; }
     /// Some axis is still on its way to its target.

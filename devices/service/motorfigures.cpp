@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/motorfigures.h"
 
+#include "experiment/envelope.h"
 #include "model/family.h"
 #include "tuning/currentidentification.h"
 #include "tuning/identification.h"
@@ -31,6 +32,7 @@ struct Pushing {
     int axis = 1;
     int slot = 0;
     Envelope limits;
+    Envelope bounds; ///< by these, and by what the device allows itself
     tuning::ExperimentSurroundings surroundings;
     std::vector<Trial> trials;
 };
@@ -52,17 +54,17 @@ Task<Trial> push(Pushing &pushing, double duty, double seconds)
 /// How strong and how long the pushes are, after what the first has shown.
 std::pair<double, double> measureOut(const Pushing &pushing, const std::vector<tuning::PushRecord> &seen)
 {
-    double duty = std::min(strongest, nearlyFull * pushing.limits.duty.value_or(1.0));
+    double duty = std::min(strongest, nearlyFull * pushing.bounds.duty.value_or(1.0));
     const auto fit = tuning::fitPushes(seen);
     if (!fit)
         return {duty, longest};
     const double gain = reserve * std::abs(fit->speeds.front() / seen.front().duty);
-    if (pushing.limits.speed)
-        duty = std::min(duty, usable * *pushing.limits.speed / gain);
+    if (pushing.bounds.speed)
+        duty = std::min(duty, usable * *pushing.bounds.speed / gain);
     const double period = std::max(tuning::samplePeriod(seen.front().position), 1e-3);
     double seconds = std::clamp(taus * fit->tau, samples * period, longest);
-    if (pushing.limits.travel)
-        seconds = std::min(seconds, usable * *pushing.limits.travel / (1.25 * gain * duty));
+    if (pushing.bounds.travel)
+        seconds = std::min(seconds, usable * *pushing.bounds.travel / (1.25 * gain * duty));
     return {duty, std::max(seconds, 0.1)};
 }
 
@@ -107,9 +109,14 @@ void conclude(const std::vector<Trial> &trials, MotorFigures &figures)
 Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis, int slot, Envelope limits,
     tuning::ExperimentSurroundings surroundings)
 {
-    Pushing pushing{device, stream, axis, slot, limits, std::move(surroundings), {}};
+    const auto position = tuning::axisChannel(device, "position", axis);
+    const auto here = position ? device.telemetry()->latest(*position) : std::nullopt;
+    const Envelope own = co_await tuning::readOwnLimits(device, axis, slot, here ? here->value : 0.0);
+    const auto facts = tuning::factsOf(device, axis);
+    const Envelope bounds = co_await tuning::resolve(device.family(), facts, Mode::Duty, limits, own);
+    Pushing pushing{device, stream, axis, slot, limits, bounds, std::move(surroundings), {}};
     MotorFigures figures;
-    bool goesOn = co_await pushBothWays(pushing, std::min(firstDuty, limits.duty.value_or(1.0)), firstSeconds);
+    bool goesOn = co_await pushBothWays(pushing, std::min(firstDuty, bounds.duty.value_or(1.0)), firstSeconds);
     if (goesOn) {
         const auto probes = std::exchange(pushing.trials, {});
         const auto [duty, seconds] = measureOut(pushing, tuning::pushesOf(probes.front()));

@@ -130,6 +130,12 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_return {};
 }
 
+/// What a gain makes is found out with others in force.
+bool triesGains(const Family &family, const TunePlan &plan)
+{
+    return family.trials && family.trials->raw.cycle > 0.0 && !plan.known;
+}
+
 /// Those that it has, as a remedy.
 Message loopsOf(const Family &family)
 {
@@ -217,11 +223,26 @@ Result<void> checkTuning(const Family &family, const TunePlan &plan)
     return checkPlan(family, steps);
 }
 
+bool writesGains(const Device &device, const TunePlan &plan)
+{
+    return !plan.propose || triesGains(device.family(), plan) || !checkScales(device, plan.loop);
+}
+
+bool owesGains(const Device &device, const TunePlan &plan)
+{
+    const bool stays = plan.keep && device.family().capabilities.gainSlots == 1
+        && !checkPutBack(device, plan.loop, plan.axis, plan.slot);
+    return triesGains(device.family(), plan) || (!plan.propose && !stays);
+}
+
 Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings)
 {
     co_await checkTuning(device.family(), plan);
     if (auto known = checkScales(device, plan.loop); !known && !scaleExperimentOf(device.family()))
         co_return fail(known.error());
+    if (!surroundings.journal && owesGains(device, plan))
+        co_return fail(Fault::OutOfRange, say("nothing could put the gains back after a crash"),
+            say("name a notebook that can be written"));
     const Instant begin = device.clock().now();
     AutotuneRun run(device, stream, plan, surroundings);
     const Result<void> performed = co_await perform(run, plan).attempt();

@@ -94,6 +94,7 @@ Task<void> askForEdges(Device &device)
 
 Task<void> PushIdentification::identify(AutotuneRun &run)
 {
+    co_await run.readEnvelope();
     co_await probe(run);
     if (run.isOver())
         co_return {};
@@ -124,7 +125,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
             co_return {};
     }
     Trial trial;
-    double most = std::min({probes.back(), run.plan().limits.duty.value_or(1.0), m_careful});
+    double most = std::min({probes.back(), run.envelope().duty.value_or(1.0), m_careful});
     for (const double duty : probes) {
         m_probed = std::min(duty, most);
         auto pushing = run.push({m_probed, probeSeconds, 1, reachOf(run)});
@@ -162,7 +163,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
 /// known to stay below that.
 Task<void> PushIdentification::feelSpeed(AutotuneRun &run, double allowed)
 {
-    const double most = std::min(probes.front(), run.plan().limits.duty.value_or(1.0));
+    const double most = std::min(probes.front(), run.envelope().duty.value_or(1.0));
     for (double duty = firstTouch; duty < most; duty *= harderTouch) {
         auto touching = run.push({duty, touchSeconds, 1, reachOf(run), {}, touchedShare * allowed});
         const Trial trial = co_await std::move(touching);
@@ -211,10 +212,10 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     co_return {};
 }
 
-/// Of pushes that tell something: what has moved it does.
+/// Of pushes that tell something: what has moved it does, as far as a limit of duty leaves it.
 double PushIdentification::leastDuty() const
 {
-    return std::min(leastPush, m_probed);
+    return std::min(leastPush, nearlyFull * m_probed);
 }
 
 /// A position loop can do without pushes that last.

@@ -21,14 +21,16 @@ constexpr double relayOverFriction = 5.0; ///< times, that a relay pushes
 constexpr double leastRelayOverFriction = 3.0;
 constexpr double leastRelay = 0.15; ///< duty
 constexpr double mostRelay = 0.4;
-constexpr double hysteresis = 2.0;     ///< counts
-constexpr double longestSwing = 6.0;   ///< s
-constexpr double mostGainDoubt = 0.15; ///< of the gain
-constexpr double mostBackDoubt = 0.05; ///< of what a count/s takes off the duty
-constexpr double mostUneven = 0.1;     ///< of the periods
-constexpr double leastAmplitude = 8.0; ///< counts
-constexpr double relayError = 0.05;    ///< of τ, beside that of the gain
-constexpr double passesOfLoop = 1.5;   ///< periods of the device's loop
+constexpr double leastHysteresis = 2.0;  ///< counts
+constexpr double mostHysteresis = 16.0;  ///< with which samples that are 5 ms apart hardly make a swing uneven
+constexpr double hysteresisShare = 1e-3; ///< of the travel
+constexpr double longestSwing = 6.0;     ///< s
+constexpr double mostGainDoubt = 0.15;   ///< of the gain
+constexpr double mostBackDoubt = 0.05;   ///< of what a count/s takes off the duty
+constexpr double mostUneven = 0.1;       ///< of the periods
+constexpr double leastAmplitude = 8.0;   ///< counts
+constexpr double relayError = 0.05;      ///< of τ, beside that of the gain
+constexpr double passesOfLoop = 1.5;     ///< periods of the device's loop
 
 double travelOf(const AutotuneRun &run)
 {
@@ -91,6 +93,7 @@ Task<void> RelayIdentification::swing(AutotuneRun &run)
             say("friction takes %1 duty, and %2 may push: too little for a motor to swing",
                 percentText(m_plant.friction), percentText(most)),
             say("allow more duty"));
+    const double hysteresis = std::clamp(hysteresisShare * travelOf(run), leastHysteresis, mostHysteresis);
     auto swinging = run.push({m_duty, longestSwing, 1, std::nullopt, hysteresis});
     const Trial swung = co_await std::move(swinging);
     if (run.isOver())

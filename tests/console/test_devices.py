@@ -239,6 +239,8 @@ class DeviceVerbs(ContractTest):
         for device in ("sim:can/abstractdc:3", "sim:serial/supermodified:4", "sim:spi/quadquad2drv:0"):
             self.assert_error(2, "identify", device, says="turn its shaft by hand")
             self.assertEqual(self.run_one("identify", device, "--yes"), {"device": device, "result": "nudged"})
+        for node in ("4", "5"):  # its short way is the first closed loop of its run
+            self.assert_error(4, "identify", f"sim:serial?fault=encoder-reversed/supermodified:{node}", "--yes", says="reversed")
         self.assertEqual(self.run_one("number", CIM, "6"), {"device": "sim:can/dmc60c:6", "old": 5, "new": 6, "verified": True})
         self.assertEqual(self.run_one("rename", CIM, "Left arm"), {"device": CIM, "old": "DMC60C", "new": "Left arm", "verified": True})
         self.assert_error(2, "number", CIM, "7", says="taken")

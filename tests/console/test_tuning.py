@@ -328,7 +328,8 @@ class Refused(ContractTest):
         with tempfile.NamedTemporaryFile() as file:
             environment = dict(os.environ, XDG_DATA_HOME=file.name)
             for call in (["snapshot", CIM], ["snapshots"], ["trials"], ["journal"], ["rename", "sim:serial/supermodified:4", "arm"],
-                         ["tune", CIM, "--loop", "velocity"], ["step", CIM, "--mode", "velocity", "--to", "2000", "--set", "slot0.p=1"],
+                         ["tune", CIM, "--loop", "velocity"], ["tune", CIM, "--loop", "velocity", "--keep"],
+                         ["tune", "sim:serial/supermodified:4", "--loop", "position", "--propose"], ["step", CIM, "--mode", "velocity", "--to", "2000", "--set", "slot0.p=1"],
                          ["restore", CIM, "snapshot:1"], ["diff", CIM, "snapshot:1"], ["report", "trial:1", "--out", file.name + ".html"]):
                 for options in ([], ["--json"]):
                     with self.subTest(call=call, options=options):

@@ -72,6 +72,23 @@ TEST_F(Endings, ASelfTestThatIdentifiesItsMotorStaysWithinTheTravelThatWasShown)
     EXPECT_LE(farthest, 22'000.0);
 }
 
+TEST_F(Endings, ASelfTestThatIdentifiesItsMotorPushesNoHarderThanItsUnitAllows)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001"});
+    rack.putOn(0);
+    const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+    ASSERT_TRUE(found && found->size() == 1U);
+    const auto limit = findParameter(rack.family->parameters, "slot0.max_forward");
+    ASSERT_TRUE(test::run(rack.clock, found->front()->write(*limit, 3276))); // 10 %
+    QueueRun run(rack, *books, load(rack, R"({"recipe":1,"name":"turn","family":"dmc60c",
+"test":{"loop":"velocity","to":8000,"time":0.8,"limits":{"travel":400000,"speed":200000,"current":60},
+"accept":{"gain":1e8,"friction":1.2,"encoder":true}}})"));
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_EQ(visits[0].outcome, Outcome::Passed) << visits[0].cause.english();
+}
+
 /// Somebody else, at the same unit: its first setting, and what keeps that from stopping the motor.
 Task<void> moveSwitch(Device &device)
 {

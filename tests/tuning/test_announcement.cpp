@@ -139,6 +139,21 @@ TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
     }));
 }
 
+TEST(Announcement, OfAStepBetweenTwoSpeedsCountsWhatItGoesAtTheFirst)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    ExperimentPlan plan = test::stepTo(Mode::Velocity, 8400.0);
+    plan.from = 8000.0;
+    plan.seconds = 0.1;
+    const auto trial = bench.run(plan);
+    ASSERT_TRUE(trial) << trial.error().text();
+    ASSERT_EQ(trial->reason, "done") << trial->detail;
+    const std::vector<Announced> told = announcedIn(bench.notes);
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_LE(farthest(trial->signal("position")->trace), told.front().travel);
+    EXPECT_LT(told.front().travel, 8000.0 * 8.0) << "and no more than may be";
+}
+
 TEST(Announcement, ALimitOfCurrentThatNobodyCanHoldIsSaidOnceAndTheDutyLimitStandsIn)
 {
     ExperimentBench drive("sim:can", "abstractdc", 3);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The check of the direction from inside: how hard it pushes, what ends it, and for how long nobody need watch.
 #include "async/sleep.h"
+#include "experiment/nudge.h"
 #include "families/quadquad2drv/codec.h"
+#include "model/leaserenewal.h"
+#include "support/fakeguard.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
+#include "transport/backends/virtualcan.h"
 #include "wire/bytes.h"
 
 #include <gtest/gtest.h>
@@ -12,6 +16,11 @@
 #include <cmath>
 #include <string_view>
 #include <tuple>
+#include <utility>
+
+namespace mb::abstractdc {
+extern const Family family;
+}
 
 namespace mb::tuning {
 namespace {
@@ -155,6 +164,126 @@ TEST(Direction, ANudgeIsStoppedWithinSixtyCounts)
     EXPECT_LE(farthest, 60.0 + 0.02 * fastest);
     ASSERT_TRUE(task.result()) << task.result().error().text();
     EXPECT_EQ(task.result()->reason, "travel") << task.result()->detail;
+}
+
+/// On a line that outlives the program, so that what has no watchdog needs a guardian.
+class InheritableLink final : public VirtualCanLink {
+public:
+    using VirtualCanLink::VirtualCanLink;
+
+private:
+    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, 7}; }
+};
+
+/// Of a drive whose every guardian stands so late.
+Result<double> dutyThatMoves(Duration late)
+{
+    test::FakeGuard guard;
+    VirtualClock clock;
+    VirtualCanBus bus(clock, 1'000'000, 1);
+    InheritableLink host(*LinkAddress::parse("socketcan:can0"), bus);
+    VirtualCanLink port(*LinkAddress::parse("socketcan:can0"), bus);
+    EXPECT_TRUE(host.open() && port.open());
+    const auto simulator = std::move(*abstractdc::family.simulate(port, clock, *SimulatedUnit::parse("abstractdc:3")));
+    struct Sink final : ScanSink {
+        void found(const Identity &identity) override { last = identity; }
+        void progress(const Message &, int, int) override { }
+        std::optional<Identity> last;
+    } sink;
+    EXPECT_TRUE(test::run(clock, abstractdc::family.scan(host, clock, sink)));
+    const auto device = abstractdc::family.open(host, clock, *sink.last);
+    clock.advance(1s);
+    guard.standsAtOnce = false;
+    device->guard().setSource(&guard);
+    SetPointStream stream(*device, clock);
+    const LeaseRenewal renewal(clock, [&stream] { stream.renew(); });
+    TrialRecorder recorder(*device, stream, Mode::Velocity, 1);
+    GuardPlan guards;
+    guards.longest = 60s;
+    std::optional<Trip> trip;
+    auto task = checkDirection(*device, stream, recorder, 1, guards, trip);
+    task.start();
+    int seen = 0;
+    Instant standsAt = Instant::max();
+    EXPECT_TRUE(clock.runUntil(
+        [&] {
+            if (std::exchange(seen, guard.calls) != guard.calls)
+                standsAt = clock.now() + late;
+            if (guard.isWatching() && clock.now() >= standsAt) {
+                standsAt = Instant::max();
+                guard.become(GuardWatch::State::Standing);
+            }
+            return task.isFinished();
+        },
+        60s));
+    EXPECT_GT(seen, 0);
+    return task.result();
+}
+
+TEST(Direction, APushBeginsOnceItsGuardianStands)
+{
+    const auto quick = dutyThatMoves(0ms);
+    ASSERT_TRUE(quick) << quick.error().text();
+    EXPECT_EQ(dutyThatMoves(400ms).value_or(-1.0), *quick) << "and is no harder for it";
+}
+
+/// How far it goes while somebody finds out which one it is.
+struct Nudged {
+    explicit Nudged(ExperimentBench &bench)
+    {
+        Simulator &motor = *bench.simulator();
+        const double start = motor.position();
+        auto task = nudge(*bench.device, bench.bench.session.stream(*bench.device), 1, bench.surroundings);
+        task.start();
+        EXPECT_TRUE(bench.bench.clock.runUntil(
+            [&] {
+                if (motor.isOutputOn()) {
+                    farthest = std::max(farthest, std::abs(motor.position() - start));
+                    fastest = std::max(fastest, std::abs(motor.speed()));
+                }
+                return task.isFinished();
+            },
+            60s));
+        EXPECT_FALSE(motor.isOutputOn());
+        result = task.result();
+    }
+
+    double farthest = 0.0;
+    double fastest = 0.0;
+    Result<double> result;
+};
+
+TEST(Nudge, ThatIsAClosedLoopIsEndedByTheCheckOfItsDirection)
+{
+    for (const int node : {4, 5}) {
+        ExperimentBench bench("sim:serial", "supermodified", node);
+        EXPECT_TRUE(bench.simulator()->disturb("encoder-reversed", 1.0));
+        const Nudged nudged(bench);
+        ASSERT_FALSE(nudged.result) << *nudged.result;
+        EXPECT_EQ(nudged.result.error().fault, Fault::Unsafe) << nudged.result.error().text();
+        EXPECT_LE(nudged.farthest, 60.0 + 0.02 * nudged.fastest) << node;
+    }
+}
+
+TEST(Nudge, TurnsAGoodShaftALittle)
+{
+    for (const auto &[link, family, address] : {std::tuple{"sim:serial", "supermodified", 4},
+             {"sim:serial", "supermodified", 5}, {"sim:can", "abstractdc", 3}, {"sim:spi", "quadquad2drv", 0}}) {
+        ExperimentBench bench(link, family, address);
+        const Nudged nudged(bench);
+        ASSERT_TRUE(nudged.result) << family << ' ' << nudged.result.error().text();
+        EXPECT_GE(*nudged.result, 8.0) << family;
+    }
+}
+
+TEST(Nudge, EndsWithAnInterruption)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    Timer soon(bench.bench.clock);
+    soon.startIn(700ms, [&bench] { bench.interruption.interrupt(); });
+    const Nudged nudged(bench);
+    ASSERT_FALSE(nudged.result) << *nudged.result;
+    EXPECT_EQ(nudged.result.error().fault, Fault::Cancelled) << nudged.result.error().text();
 }
 
 TEST(Direction, AndOfAnExperimentBeforeItsMotion)

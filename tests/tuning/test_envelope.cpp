@@ -68,6 +68,22 @@ TEST(EnvelopeOfItsOwn, ALimitCountsWhereItIsSwitchedOn)
     EXPECT_NEAR(own.at(0.0).duty.value_or(9.0), 0.3, 1e-4) << "it has no switch";
 }
 
+TEST(EnvelopeOfItsOwn, IsThatOfTheGainsThatWillBeInForce)
+{
+    OwnLimits own;
+    own.set("slot0.max_forward", 9830.0);
+    own.set("current_limit.continuous", 5.0);
+    own.set("current_limit.enabled", 0.0);
+    const auto change = [](std::string_view key, std::int64_t raw) {
+        return ParameterChange{*findParameter(dmc60c().parameters, key), raw};
+    };
+    const Envelope changed = ownLimits(dmc60c(), own.store.entries(), 1, 0, 0.0,
+        {change("slot0.max_forward", 6553), change("current_limit.enabled", 1)});
+    EXPECT_NEAR(changed.duty.value_or(9.0), 0.2, 1e-4);
+    EXPECT_EQ(changed.current, 5.0);
+    EXPECT_NEAR(own.at(0.0).duty.value_or(9.0), 0.3, 1e-4) << "nothing was written";
+}
+
 TEST(EnvelopeOfItsOwn, IsAskedOfTheUnit)
 {
     ExperimentBench bench;
@@ -168,6 +184,11 @@ TEST(EnvelopeOfATrial, AStimulusThatWouldLeaveItIsRefused)
         EXPECT_EQ(inside.has_value(), *row.outside == '\0') << told;
         EXPECT_TRUE(told.starts_with(row.outside)) << told << ", expected " << row.outside;
     }
+    const auto onItsWay = [&within](double from, double to) {
+        return checkInside(within, Mode::Velocity, *Stimulus::make(Profile::Step, from, to, 0.1, 0.02), 1, 0.0);
+    };
+    EXPECT_TRUE(onItsWay(4000.0, 4200.0));
+    EXPECT_FALSE(onItsWay(8000.0, 7600.0)) << "it is at X before and after";
     const auto up = Stimulus::make(Profile::Step, 0.0, 1000.0, 2.0, 0.02);
     EXPECT_FALSE(checkInside(within, Mode::Velocity, *up, 2, 0.0, 1500.0)) << "farther from where travel is counted";
     EXPECT_TRUE(checkInside(within, Mode::Velocity, *up, 2, 0.0, -1500.0)) << "through it";

@@ -42,6 +42,19 @@ TEST(Experiment, AVelocityStepOfTheWellTunedUnitOvershootsLittleAndOfTheOtherMuc
     EXPECT_NEAR(seven->metrics.overshoot.value_or(0.0), 0.20, 0.05);
 }
 
+TEST(Experiment, IsBoundedByTheLimitsOfItsOwnGains)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.seconds = 0.5;
+    plan.gains = {bench.change("slot0.max_forward", 6553.0)};
+    const auto gentle = bench.run(plan);
+    expectDone(gentle);
+    EXPECT_NEAR(gentle->envelope.duty.value_or(1.0), 0.2, 1e-3);
+    EXPECT_GT(gentle->metrics.saturated.value_or(0.0), 0.2);
+    EXPECT_TRUE(gentle->has(flag::saturated));
+}
+
 TEST(Experiment, AHoldThatEndsByItselfLastsUntilTheLoopIsWhereItWillRest)
 {
     ExperimentBench bench("sim:can", "dmc60c", 7);

@@ -92,6 +92,44 @@ INSTANTIATE_TEST_SUITE_P(Analytic, GoldenStep,
     testing::Values(Golden{{0.5, 15.0}, 109.2, 16.30, 538.0, 0.1142}, Golden{{0.7, 15.0}, 141.7, 4.60, 399.0, 0.1073},
         Golden{{1.0, 20.0}, 167.9, 0.0, 292.0, 0.1000}));
 
+/// The way of a first-order lag of 0.2 s, for so long.
+Trace laggingFor(double seconds, double noise = 0.0)
+{
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> error(0.0, 1.0);
+    Trace trace;
+    for (double t = -0.1; t < seconds; t += 0.002)
+        trace.add(t, 1.0 - std::exp(-std::max(t, 0.0) / 0.2) + noise * error(random));
+    return trace;
+}
+
+TEST(Metrics, OfAResponseThatIsStillOnItsWayTellNoEnd)
+{
+    for (const double noise : {0.0, 0.005}) {
+        for (const double seconds : {0.15, 0.3, 0.5}) {
+            const Response cut = readResponse(laggingFor(seconds, noise), 1.0, 0.0);
+            EXPECT_TRUE(cut.moved);
+            EXPECT_FALSE(cut.metrics.overshoot) << seconds << ": " << *cut.metrics.overshoot;
+            EXPECT_FALSE(cut.metrics.rise) << seconds;
+            EXPECT_FALSE(cut.metrics.settle) << seconds;
+            EXPECT_NEAR(cut.metrics.sse.value_or(0.0), std::exp(-0.875 * seconds / 0.2), 0.02);
+        }
+        const Response whole = readResponse(laggingFor(2.0, noise), 1.0, 0.0);
+        EXPECT_NEAR(whole.metrics.overshoot.value_or(1.0), 0.0, 0.01);
+        EXPECT_TRUE(whole.metrics.rise);
+    }
+}
+
+TEST(Metrics, OfALoopThatSwingsTellHowFarWhereverItsHoldEnds)
+{
+    for (const double seconds : {0.31, 0.42, 0.5, 0.63, 0.77}) {
+        Trace trace;
+        for (double t = -0.1; t < seconds; t += 0.002)
+            trace.add(t, 1.0 - std::cos(15.0 * std::max(t, 0.0)));
+        EXPECT_GT(readResponse(trace, 1.0, 0.0).metrics.overshoot.value_or(0.0), 0.1) << seconds;
+    }
+}
+
 struct Accuracy {
     double noise;
     double rise;       ///< share of the true one

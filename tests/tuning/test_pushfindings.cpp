@@ -110,6 +110,22 @@ TEST(Findings, ATuningTellsBothDirectionsItsLoadAndWhatSetPointsMayAskFor)
         report->profile->speed, report->profile->acceleration);
 }
 
+TEST(Findings, OfAUnitWithALittleDutyOfItsOwnNeedNoLimitGiven)
+{
+    for (const std::optional<double> speed : {std::optional<double>(), std::optional(50'000.0)}) {
+        ExperimentBench bench("sim:can", "dmc60c", 5);
+        const ParameterChange change = bench.change("slot0.max_forward", 3276.0);
+        ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw)));
+        TunePlan plan = planOf(Mode::Position);
+        plan.propose = true;
+        plan.limits.speed = speed;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(report->result, TuneResult::Proposed) << speed.value_or(0.0) << ": " << report->evidence;
+        EXPECT_LE(report->motor ? report->plant.friction : 1.0, 0.1);
+    }
+}
+
 const Gate *crossCheckOf(const std::vector<Gate> &gates)
 {
     const auto found

@@ -5,6 +5,7 @@
 #include "trialbench.h"
 #include "widgets/control/envelopebook.h"
 #include "widgets/control/envelopepanel.h"
+#include "widgets/control/experimentplan.h"
 
 #include <QFile>
 #include <QLabel>
@@ -14,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace mb;
 using namespace mb::test;
@@ -27,6 +29,7 @@ private Q_SLOTS:
     void limitsThatCannotBeKeptAreTold();
     void namedLimitsAreChosenAgain();
     void limitsGoAlongWhenAUnitTellsItsSerialNumber();
+    void thoseOfStagedGainsBoundTheExperimentThatWritesThem();
     void whatWasEnteredForNobodyIsNotOfTheNextUnit();
     void anotherFileIsSaidAndLeftAlone();
     void eachUnitHasItsOwn();
@@ -159,6 +162,20 @@ void TestEnvelopes::namedLimitsAreChosenAgain()
     forget->click();
     QCOMPARE(names->count(), 0);
     QCOMPARE(bench.page->column().envelope().entered().speed, std::optional(70'000.0)); // what holds goes on holding
+}
+
+void TestEnvelopes::thoseOfStagedGainsBoundTheExperimentThatWritesThem()
+{
+    TrialBench bench;
+    ExperimentWish wish;
+    wish.stimulus.from = 800.0;
+    wish.stimulus.to = 1000.0;
+    wish.stimulus.seconds = 0.1;
+    wish.gains = {{named("slot0.max_forward"), 6553}};
+    const ExperimentCheck check = checkExperiment(bench.workbench.device(0), wish, {}, {});
+    QVERIFY2(check.good, qPrintable(check.words));
+    QVERIFY(std::abs(check.inForce.duty.value_or(1.0) - 0.2) < 1e-3);
+    QVERIFY2(check.words.contains(s("at most 3.7 s")), qPrintable(check.words)); // on its way to 800 counts/s, too
 }
 
 void TestEnvelopes::limitsGoAlongWhenAUnitTellsItsSerialNumber()

@@ -2,6 +2,7 @@
 #include "widgets/control/experimentplan.h"
 
 #include "experiment/envelope.h"
+#include "experiment/experimentmotion.h"
 #include "experiment/gains.h"
 #include "model/axis.h"
 #include "model/family.h"
@@ -47,10 +48,15 @@ tuning::EnvelopeFacts factsOf(const DeviceView &device, int axis)
     return {device.selector, device.link.starts_with("sim:"), scaled};
 }
 
+Envelope itsOwn(const DeviceView &device, const ExperimentWish &wish, Instant now)
+{
+    return tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now),
+        triable(*device.family, wish.gains));
+}
+
 Envelope ownOf(const DeviceView &device, const ExperimentWish &wish, Instant now)
 {
-    const Envelope own
-        = tuning::ownLimits(*device.family, *device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
+    const Envelope own = itsOwn(device, wish, now);
     const Envelope bench = device.link.starts_with("sim:") ? device.family->trials->bench : Envelope();
     Envelope known;
     for (const EnvelopeBound &each : envelopeBounds) {
@@ -80,8 +86,8 @@ QString insideText(
         : wish.mode == Mode::Current                                          ? &Envelope::current
                                                                               : &Envelope::duty;
     const double bound = wish.mode == Mode::Position ? 0.0 : (envelope.*kind).value_or(0.0);
-    const QString seconds
-        = ExperimentText::tr("at most %1 s").arg(formatNumber(stimulus.length() * 2.0 * wish.stimulus.repeat, 1));
+    const QString seconds = ExperimentText::tr("at most %1 s")
+                                .arg(formatNumber(tuning::longestSeconds(stimulus.length(), wish.stimulus.repeat), 1));
     if (bound <= 0.0)
         return ExperimentText::tr("inside the envelope · %1").arg(seconds);
     return ExperimentText::tr("inside the envelope · %1 of %2 · %3")
@@ -141,8 +147,9 @@ ExperimentCheck checkExperiment(
         return check;
     }
     const double here = originOf(device, wish, now);
-    const auto envelope = tuning::resolve(family, factsOf(device, wish.axis), wish.mode, wish.limits,
-        tuning::ownLimits(family, *device.parameters, wish.axis, wish.slot, here));
+    const Mode bounded = wish.loop.value_or(wish.mode);
+    const auto envelope
+        = tuning::resolve(family, factsOf(device, wish.axis), bounded, wish.limits, itsOwn(device, wish, now));
     check.inForce = envelope ? *envelope : ownOf(device, wish, now);
     if (!envelope) {
         check.missing

@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace mb {
 
 /// An experiment as a page means it.
@@ -14,6 +16,7 @@ struct ExperimentWish {
     Mode mode = Mode::Velocity;
     int axis = 1;
     int slot = 0;
+    std::optional<Mode> loop; ///< that it is made for, as of ExperimentPlan
     StimulusChoice stimulus;
     Envelope limits;
     QString limitsFault;                ///< what is entered for them and is none; nothing runs then

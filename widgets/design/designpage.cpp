@@ -115,8 +115,8 @@ PageStatus DesignPage::status() const
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before the motor is tuned."), false};
     if (!view->busy.empty())
         return {GlyphState::Busy, tr("Busy"), messageText(view->busy), false};
-    if (const QString fault = m_envelope->fault(); !fault.isEmpty())
-        return {GlyphState::OutOfRange, tr("No limit"), fault, false};
+    if (const QString missing = m_envelope->missing(); !missing.isEmpty())
+        return {GlyphState::OutOfRange, tr("No limit"), missing, false};
     if (m_arming.isArmed(view->id))
         return {GlyphState::Online, tr("Armed"), tr("%1 will turn both ways.").arg(name), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
@@ -253,6 +253,7 @@ void DesignPage::followLimits(const DeviceView &view)
 {
     ExperimentWish pushes;
     pushes.mode = Mode::Duty;
+    pushes.loop = m_book.place().loop;
     pushes.axis = m_book.place().axis;
     pushes.slot = m_book.choice().slot;
     pushes.stimulus.to = checkedDuty;

@@ -55,7 +55,7 @@ private:
 };
 
 /// One controller on a virtual bus. Whoever simulates a device has one of these, the host has another.
-class VirtualCanLink final : public CanLink {
+class VirtualCanLink : public CanLink {
 public:
     VirtualCanLink(LinkAddress address, VirtualCanBus &bus);
     ~VirtualCanLink() override;
