@@ -212,7 +212,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 // Control
 
-Result<void> Controller::check(const SetPoint &setPoint) const
+Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
     MB_TRY_VOID(controlFor(setPoint, identity().address));
     return {};
