@@ -133,7 +133,17 @@ std::string lowered(std::string text)
 
 Message usageOf(const Verb &verb)
 {
-    return say("the usage is motorbenchctl %1 %2", verb.name, verb.usage);
+    return say("the usage is motorbenchctl %1",
+        std::string(verb.name) + (verb.usage.empty() ? "" : " ") + std::string(verb.usage));
+}
+
+/// An option that was given more often, or with fewer values, than it can be.
+tl::unexpected<Error> wrongCount(const CLI::App &app, const Verb &verb, std::string_view name)
+{
+    const CLI::Option *const option = app.get_option_no_throw(std::string(name));
+    if (option && static_cast<int>(option->count()) > option->get_items_expected_max())
+        return fail(Fault::Usage, say("%1: %2 is there twice", verb.name, name), say("leave one of the two out"));
+    return fail(Fault::Usage, say("%1: a value of %2 is missing", verb.name, name), usageOf(verb));
 }
 
 tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
@@ -203,6 +213,9 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
         return CommandLine{{}, {}, app.help(), "help", app.help()};
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
+    } catch (const CLI::ArgumentMismatch &error) {
+        const std::string_view words = error.what();
+        return wrongCount(app, verb, words.substr(0, words.find(':')));
     } catch (const CLI::Error &error) {
         return fail(Fault::Usage, say("%1: %2", name, lowered(error.what())), usageOf(verb));
     }
@@ -223,6 +236,7 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         std::string *const value = word.starts_with("--timeout") ? &globals.timeout
             : word.starts_with("--retries")                      ? &globals.retries
                                                                  : nullptr;
+        const std::string before = value ? *value : std::string();
         if (word == "--json")
             globals.json = true;
         else if (word == "--quiet")
@@ -238,6 +252,9 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         else
             return fail(Fault::Usage, say("'%1' cannot stand before the verb", word),
                 say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
+        if (value && !before.empty())
+            return fail(Fault::Usage, say("%1: %2 is there twice", "motorbenchctl", word.substr(0, 9)),
+                say("leave one of the two out"));
         if (value && value->empty())
             return emptyValue("motorbenchctl", word.substr(0, 9));
         if (!printed.text.empty())
