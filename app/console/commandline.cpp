@@ -137,12 +137,17 @@ Message usageOf(const Verb &verb)
         std::string(verb.name) + (verb.usage.empty() ? "" : " ") + std::string(verb.usage));
 }
 
+tl::unexpected<Error> isTwice(std::string_view verb, std::string_view name)
+{
+    return fail(Fault::Usage, say("%1: %2 is there twice", verb, name), say("leave one of the two out"));
+}
+
 /// An option that was given more often, or with fewer values, than it can be.
 tl::unexpected<Error> wrongCount(const CLI::App &app, const Verb &verb, std::string_view name)
 {
     const CLI::Option *const option = app.get_option_no_throw(std::string(name));
     if (option && static_cast<int>(option->count()) > option->get_items_expected_max())
-        return fail(Fault::Usage, say("%1: %2 is there twice", verb.name, name), say("leave one of the two out"));
+        return isTwice(verb.name, name);
     return fail(Fault::Usage, say("%1: a value of %2 is missing", verb.name, name), usageOf(verb));
 }
 
@@ -236,7 +241,6 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         std::string *const value = word.starts_with("--timeout") ? &globals.timeout
             : word.starts_with("--retries")                      ? &globals.retries
                                                                  : nullptr;
-        const std::string before = value ? *value : std::string();
         if (word == "--json")
             globals.json = true;
         else if (word == "--quiet")
@@ -245,6 +249,8 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
             printed = {{}, {}, overview(), "help", overview()};
         else if (word == "--version")
             printed = {{}, {}, "motorbenchctl " MOTORBENCH_VERSION "\n", "version", MOTORBENCH_VERSION};
+        else if (value && !value->empty())
+            return isTwice("motorbenchctl", word.substr(0, 9));
         else if (value && equals == 9)
             *value = word.substr(equals + 1);
         else if (value && word.size() == 9 && used + 1 < arguments.size())
@@ -252,9 +258,6 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         else
             return fail(Fault::Usage, say("'%1' cannot stand before the verb", word),
                 say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
-        if (value && !before.empty())
-            return fail(Fault::Usage, say("%1: %2 is there twice", "motorbenchctl", word.substr(0, 9)),
-                say("leave one of the two out"));
         if (value && value->empty())
             return emptyValue("motorbenchctl", word.substr(0, 9));
         if (!printed.text.empty())
