@@ -133,7 +133,22 @@ std::string lowered(std::string text)
 
 Message usageOf(const Verb &verb)
 {
-    return say("the usage is motorbenchctl %1 %2", verb.name, verb.usage);
+    return say("the usage is motorbenchctl %1",
+        std::string(verb.name) + (verb.usage.empty() ? "" : " ") + std::string(verb.usage));
+}
+
+tl::unexpected<Error> isTwice(std::string_view verb, std::string_view name)
+{
+    return fail(Fault::Usage, say("%1: %2 is there twice", verb, name), say("leave one of the two out"));
+}
+
+/// An option that was given more often, or with fewer values, than it can be.
+tl::unexpected<Error> wrongCount(const CLI::App &app, const Verb &verb, std::string_view name)
+{
+    const CLI::Option *const option = app.get_option_no_throw(std::string(name));
+    if (option && static_cast<int>(option->count()) > option->get_items_expected_max())
+        return isTwice(verb.name, name);
+    return fail(Fault::Usage, say("%1: a value of %2 is missing", verb.name, name), usageOf(verb));
 }
 
 tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
@@ -203,6 +218,9 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
         return CommandLine{{}, {}, app.help(), "help", app.help()};
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
+    } catch (const CLI::ArgumentMismatch &error) {
+        const std::string_view words = error.what();
+        return wrongCount(app, verb, words.substr(0, words.find(':')));
     } catch (const CLI::Error &error) {
         return fail(Fault::Usage, say("%1: %2", name, lowered(error.what())), usageOf(verb));
     }
@@ -231,6 +249,8 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
             printed = {{}, {}, overview(), "help", overview()};
         else if (word == "--version")
             printed = {{}, {}, "motorbenchctl " MOTORBENCH_VERSION "\n", "version", MOTORBENCH_VERSION};
+        else if (value && !value->empty())
+            return isTwice("motorbenchctl", word.substr(0, 9));
         else if (value && equals == 9)
             *value = word.substr(equals + 1);
         else if (value && word.size() == 9 && used + 1 < arguments.size())

@@ -63,7 +63,7 @@ std::string valuesOfOptions(std::span<const Family *const> families)
 {
     return R"(    case "$before" in
     --file|--out|--save|--export) words="FILES"; return ;;
-    --theme) words="dark light"; return ;;
+    --theme) words="dark light contrast system"; return ;;
     --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
     --size) [ "$verb" = report ] && words=")"
         + wordsOf(reportSizes) + R"("; return ;;

@@ -162,7 +162,10 @@ private:
         if (got < 0 && (errno == EINTR || errno == EAGAIN))
             return;
         if (got < 0)
-            result = fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_name, std::strerror(errno)));
+            result = fail(Fault::OutOfRange,
+                say("%1 cannot be read: %2", m_name, // main.cpp puts a folder where a closed stream was
+                    errno == EISDIR ? "it is closed, or a folder" : std::strerror(errno)),
+                say("name a file, or let another program write into it"));
         else if (got == 0)
             result = m_reader.finish();
         else

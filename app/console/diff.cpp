@@ -116,7 +116,7 @@ Result<void> areAlike(const std::array<Part, 2> &parts)
     if (!parts[0].family || !parts[1].family || parts[0].family == parts[1].family)
         return {};
     return fail(Fault::Usage,
-        say("a %1 and a %2 have different parameters", parts[0].family->title, parts[1].family->title),
+        say("%1 and %2 have different parameters", parts[0].family->title, parts[1].family->title),
         say("compare two of one family"));
 }
 

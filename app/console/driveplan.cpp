@@ -138,16 +138,13 @@ Result<void> checkSetPoint(Console &console, const DrivePlan &plan)
     identity.family = plan.target.selector.family;
     identity.address = plan.target.selector.address;
     const auto device = plan.target.family->open(*link, console.clock(), identity);
-    return plan.setPoint.mode == Mode::Off ? Result<void>() : device->check(plan.setPoint);
+    return device->check(plan.setPoint);
 }
 
 Result<void> checkOffered(const Family &family, const DriveArguments &arguments)
 {
     if (arguments.zero && !family.capabilities.zeroPosition)
         return fail(Fault::OutOfRange, say("--zero: %1 has no command that zeroes its position", family.key));
-    if (arguments.hasOutputOptions() && !family.capabilities.outputOptions)
-        return fail(Fault::Usage, say("%1 has no ramp, brake, direction or limit override of its output", family.key),
-            say("leave these options out"));
     if ((arguments.relative || arguments.halt) && !family.capabilities.relativeMoves)
         return fail(Fault::Usage, say("%1 has no relative moves and no halt", family.key),
             say("leave --relative and --halt out"));
@@ -179,7 +176,7 @@ void DriveArguments::declare(CLI::App &arguments)
     arguments.add_option("--slot", slot, "Gain set, 0…");
     arguments.add_option("--velocity", velocity, "Of profiled modes, counts/s");
     arguments.add_option("--acceleration", acceleration, "Of profiled modes, counts/s²");
-    arguments.add_option("--ramp", ramp, "Greatest change of the output, duty per second");
+    arguments.add_option("--ramp", ramp, "Greatest change of the output, duty per second, in modes without a loop");
     arguments.add_option(
         "--slew", slew, "Greatest change of the target, in its unit per second, from where the motor is");
     arguments.add_flag("--brake", brake, "Brake at zero output; the stored setting otherwise");

@@ -30,10 +30,6 @@ struct DriveArguments {
     std::string limitOverride;
 
     void declare(CLI::App &arguments);
-    [[nodiscard]] bool hasOutputOptions() const
-    {
-        return !ramp.empty() || brake || coast || reverseMotor || reverseSensor || !limitOverride.empty();
-    }
 };
 
 /// What is driven, checked by the family before anything is opened.

@@ -10,6 +10,7 @@
 #include "model/operation.h"
 #include "model/standstill.h"
 #include "model/transcript.h"
+#include "service/preflight.h"
 
 #include <algorithm>
 #include <memory>
@@ -29,6 +30,20 @@ struct FlashPlan {
     Target target;
     FirmwareImage image;
 };
+
+/// `--via` as a recipe has it, with the target behind it, is understood too.
+Result<void> readWay(UpdateOptions &options)
+{
+    const UpdateOptions way = service::updateOptionsOf({{}, options.via});
+    if (way.target.empty())
+        return {};
+    if (!options.target.empty() && options.target != way.target)
+        return fail(Fault::Usage, say("--via %1 and --target %2 contradict each other", options.via, options.target),
+            say("leave one of the two out"));
+    options.via = way.via;
+    options.target = way.target;
+    return {};
+}
 
 /// `--via`, `--target` and `--erase-settings` against what the family has; its update() looks at them in detail.
 Result<void> checkRoute(const Family &family, const UpdateOptions &options)
@@ -59,8 +74,9 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     return fail(Fault::Usage, say("%1 is not updated over its own link", family.key), say("add --via %1", ways));
 }
 
-Result<FlashPlan> check(const Console &console, const FlashArguments &arguments)
+Result<FlashPlan> check(const Console &console, FlashArguments &arguments)
 {
+    MB_TRY_VOID(readWay(arguments.options));
     MB_TRY(auto target, parseTarget(console, arguments.device));
     const Family &family = *target.family;
     const std::string name(family.key);

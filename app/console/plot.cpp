@@ -42,7 +42,7 @@ Job declarePlot(CLI::App &arguments)
     const auto a = std::make_shared<PlotArguments>();
     arguments.add_option("file", a->file, "An .mcap or .csv of this program, or what watch printed")->required();
     arguments.add_option("--out", a->out, "The picture: .png, .svg or .pdf")->required();
-    arguments.add_option("--theme", a->theme, "dark or light");
+    arguments.add_option("--theme", a->theme, "dark, light, contrast or system");
     arguments.add_option("--size", a->size, "Of the picture, such as 1280x800");
     return [a](Console &console) { return plot(console, *a); };
 }

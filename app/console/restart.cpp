@@ -17,7 +17,8 @@ Task<int> restart(Console &console, std::string text)
             say("switch it off and on"));
     Device *const device = co_await connect(console, target);
     co_await device->link().address().takesOrders();
-    if (const Duration wait = target.family->capabilities.storesAfter; wait > Duration::zero())
+    const Duration wait = target.family->capabilities.storesAfter;
+    if (wait > Duration::zero() && device->identity().state != DeviceState::Bootloader)
         console.note(
             "it restarts once what was written is stored, which takes up to " + numberText(secondsOf(wait)) + " s");
     co_await device->restart();

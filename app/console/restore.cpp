@@ -66,7 +66,8 @@ QJsonValue valueToJson(const Parameter &parameter, std::optional<std::int64_t> r
     return std::get<double>(value);
 }
 
-void show(Console &console, const Device &device, const std::vector<Change> &changes, bool leftOut)
+/// `otherwise`: of the device, where nothing is to be changed.
+void show(Console &console, const Device &device, const std::vector<Change> &changes, std::string_view otherwise)
 {
     QJsonArray rows;
     Table table({"KEY", "FROM", "TO", "RESULT"});
@@ -84,8 +85,7 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
     if (console.json())
         console.out().json({{QStringLiteral("changes"), rows}});
     else if (changes.empty())
-        console.out().line("nothing to change: " + device.selector()
-            + (leftOut ? " has the other values already" : " has the values already"));
+        console.out().line("nothing to change: " + device.selector() + ' ' + std::string(otherwise));
     else
         table.print(console.out());
 }
@@ -103,8 +103,12 @@ std::vector<Change> lostChanges(const Device &device)
 Result<std::optional<NamedSettings>> nameSource(
     const Console &console, const RestoreArguments &arguments, const Family &family)
 {
-    for (const std::string &key : arguments.unitValues)
-        MB_TRY_VOID(parseKey(family, key));
+    for (const std::string &key : arguments.unitValues) {
+        MB_TRY(const auto index, parseKey(family, key));
+        if (!family.parameters[index.value].belongsToUnit)
+            return fail(Fault::Usage, say("--unit-values: %1 belongs to no unit, and is written anyway", key),
+                say("leave it out"));
+    }
     if (arguments.file.empty() && family.capabilities.keepsSettings)
         return fail(Fault::Usage, say("a %1 keeps its settings itself", family.title),
             say("name a FILE that 'motorbenchctl get DEVICE --file F' saved"));
@@ -222,7 +226,10 @@ Task<int> restore(Console &console, RestoreArguments arguments)
     if (!arguments.dryRun && !changes.empty()) {
         error = co_await write(console, *device, notebook, changes);
     }
-    show(console, *device, changes, file && !file->notes.empty());
+    show(console, *device, changes,
+        !file                      ? "has lost nothing that was written to it from here"
+            : !file->notes.empty() ? "has the other values already"
+                                   : "has the values already");
     if (!error)
         co_return exitDone;
     co_return console.fails(*error);

@@ -119,6 +119,9 @@ Result<StepPlan> check(const Console &console, const StepArguments &a)
             Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
     StepPlan plan{std::move(target), {}, a.samples, a.save, a.yes};
     MB_TRY_VOID(checkSave(a.save));
+    if (a.keep && a.gains.empty())
+        return fail(
+            Fault::Usage, say("--keep leaves what --set has written"), say("add --set KEY=VALUE, or leave it out"));
     MB_TRY(const auto mode, parseLoop(family, a.mode));
     MB_TRY(const auto profile, parseProfile(a.profile));
     plan.experiment.mode = mode;

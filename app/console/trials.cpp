@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace mb::console {
@@ -21,6 +22,8 @@ struct TrialsArguments {
     std::vector<std::string> note; ///< number and text
     std::string remove;
 };
+
+using Units = std::set<std::string>;
 
 constexpr int mostTrials = 2'000'000'000;
 
@@ -45,11 +48,22 @@ Result<Changes> parse(const TrialsArguments &a)
         *number = parsed;
     }
     MB_TRY_VOID(a.note.empty() ? Result<void>() : checkName("a note", a.note.back()));
+    if (changes.remove && (changes.star == changes.remove || changes.note == changes.remove))
+        return fail(
+            Fault::Usage, say("--delete %1 leaves nothing to mark", *changes.remove), say("leave one of the two out"));
     return changes;
 }
 
-Result<void> change(TrialBook &book, const Changes &changes, const TrialsArguments &a)
+Result<void> change(
+    TrialBook &book, const Changes &changes, const TrialsArguments &a, const std::optional<Units> &units)
 {
+    for (const auto &number : {changes.star, changes.note, changes.remove}) {
+        if (!number || !units)
+            continue;
+        MB_TRY(const auto kept, book.find(*number));
+        if (!units->contains(kept.trial.unit))
+            return fail(Fault::Usage, say("trial %1 is not one of %2", *number, a.device), say("leave the device out"));
+    }
     if (changes.star) {
         MB_TRY(const auto kept, book.find(*changes.star));
         if (auto starred = book.setStar(*changes.star, !kept.star); !starred)
@@ -74,14 +88,13 @@ Task<int> trials(Console &console, TrialsArguments a)
     auto database = co_await openNotebook();
     TrialBook book(*database, console.clock());
     const bool changes = wanted.star || wanted.note || wanted.remove;
-    auto changed = changes ? database->transact([&] { return change(book, wanted, a); }) : Result<void>();
+    const std::optional<Units> units = target ? std::optional(unitsAt(*database, target->selector)) : std::nullopt;
+    auto changed = changes ? database->transact([&] { return change(book, wanted, a, units); }) : Result<void>();
     if (!changed)
         co_return fail(changed.error());
     auto kept = co_await book.list();
-    if (target) {
-        const auto units = unitsAt(*database, target->selector);
-        std::erase_if(kept, [&units](const KeptTrial &each) { return !units.contains(each.trial.unit); });
-    }
+    if (units)
+        std::erase_if(kept, [&units](const KeptTrial &each) { return !units->contains(each.trial.unit); });
     if (!a.file.empty()) {
         co_await exportTrials(a.file, kept);
         console.note(std::to_string(kept.size()) + " trials in " + a.file);

@@ -105,7 +105,7 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     const double largest = largestOfDirection(guards.envelope);
     SetPoint setPoint;
     setPoint.axis = axis;
-    if (device.family().capabilities.outputOptions)
+    if (device.family().capabilities.output.brake)
         setPoint.brake = true;
     if (traits.nudge > 0.0) { // it stops by itself where it was sent
         guards.envelope.travel = std::min(guards.envelope.travel.value_or(traits.nudgeTravel), traits.nudgeTravel);

@@ -74,7 +74,7 @@ SetPoint ExperimentMotion::setPointAt(double target) const
     setPoint.target = target;
     setPoint.axis = m_plan.axis;
     setPoint.slot = m_plan.slot;
-    if (m_device.family().capabilities.outputOptions)
+    if (m_device.family().capabilities.output.brake)
         setPoint.brake = true; // a coasting motor goes on many times as far
     return setPoint;
 }

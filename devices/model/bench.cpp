@@ -42,7 +42,8 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
                 say("seed, loss, bitrate and fault are known"));
         }
         if (!good)
-            return fail(Fault::OutOfRange, say("link option %1=%2 is out of range", key, value));
+            return fail(Fault::OutOfRange, say("link option %1=%2 is out of range", key, value),
+                say("seed and bitrate are whole numbers, loss is a fraction below 1"));
     }
     return options;
 }

@@ -52,7 +52,7 @@ public:
     /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
     [[nodiscard]] virtual Task<void> setRate(ChannelIndex channel, double hertz) = 0;
     /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
-    [[nodiscard]] virtual Result<void> check(const SetPoint &setPoint) const = 0;
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
     /// What the user should know before it is sent although it is legal, as one clause; empty most of the time.
     [[nodiscard]] virtual Message caution(const SetPoint &) const { return {}; }
     /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
@@ -64,6 +64,8 @@ protected:
     explicit DeviceDriver(const Family &family);
     ~DeviceDriver() = default;
 
+    /// All but the options of the output, which Capabilities has.
+    [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
     virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
     /// A family's own reasons besides those that all have; what must be asked for them is asked.
     virtual Task<void> doMayWrite(ParameterIndex index, std::int64_t raw, std::span<const ParameterChange> before);

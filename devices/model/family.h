@@ -38,7 +38,7 @@ struct Capabilities {
     /// False: a reset takes every setting, so this program keeps what was written and offers to write it again.
     bool keepsSettings = true;
     bool zeroPosition = false; ///< Device::zeroPosition()
-    bool outputOptions = true; ///< ramp, brake, direction and limits of a SetPoint mean something
+    OutputOptions output{};
     /// Device::setRate() changes nothing that anybody else relies on: the device is asked more often, or sends to us alone.
     bool freeRates = true;
     int firstAddress = 0;   ///< nobody has a lower one

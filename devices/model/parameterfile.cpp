@@ -168,7 +168,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     file.serial = object.value(QLatin1String("serial")).toString().toStdString();
     file.firmware = object.value(QLatin1String("firmware")).toString().toStdString();
     if (file.family != family.key)
-        return fail(Fault::OutOfRange, say("the file is for family '%1', the device is a %2", file.family, family.key));
+        return fail(
+            Fault::OutOfRange, say("the file is for family '%1', the device is of '%2'", file.family, family.key));
     const QJsonValue rows = object.value(QLatin1String("parameters"));
     if (!rows.isObject())
         return fail(Fault::OutOfRange, say("not a parameter file: it has no \"parameters\""));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace mb {
@@ -38,6 +40,16 @@ struct SetPoint {
     std::uint32_t order = 0; ///< another number is another order: tells two equal relative moves apart
 
     friend bool operator==(const SetPoint &, const SetPoint &) = default;
+};
+
+/// What of a SetPoint's options for the output means something; DeviceDriver::check() refuses the rest.
+struct OutputOptions {
+    std::span<const Mode> ramp{}; ///< modes in which it is kept
+    bool brake = false;
+    bool directions = false; ///< those of motor and sensor can be exchanged
+    bool limits = false;     ///< its limits can be overridden
+
+    [[nodiscard]] bool ramps(Mode mode) const { return std::ranges::find(ramp, mode) != ramp.end(); }
 };
 
 } // namespace mb

@@ -74,7 +74,12 @@ public:
     }
     void written(const Visit &visit)
     {
-        m_row.edit().visit = visit;
+        QueueRow &row = m_row.edit();
+        row.visit = visit;
+        if (!visit.steps.empty() && !visit.steps.back().ended) { // what the step before was doing is done
+            row.what = {};
+            row.done = row.total = 0;
+        }
         m_bus.m_run.changed().notify();
     }
 

@@ -93,7 +93,8 @@ Result<int> rateOf(int asked, const Rates &rates)
 {
     const int rate = asked == 0 ? rates.usual : asked;
     if (rate < rates.lowest || rate > rates.highest)
-        return fail(Fault::OutOfRange, say("link option bitrate=%1 is out of range", asked));
+        return fail(Fault::OutOfRange, say("link option bitrate=%1 is out of range", asked),
+            say("legal is %1", std::to_string(rates.lowest) + " … " + std::to_string(rates.highest)));
     return rate;
 }
 

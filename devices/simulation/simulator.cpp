@@ -16,6 +16,14 @@ struct FaultForm {
     std::string_view kind;
     Needs needs;
 };
+
+/// As it is written.
+std::string textOf(const FaultForm &row)
+{
+    constexpr std::array<std::string_view, 5> numbers{"", "@S", "@P", "@N", "@N:MS"}; // by Needs
+    return std::string(row.kind) + std::string(numbers.at(static_cast<std::size_t>(row.needs)));
+}
+
 constexpr std::array faultRows{
     FaultForm{"drop", Needs::Frame},
     FaultForm{"corrupt", Needs::Frame},
@@ -58,9 +66,15 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     SimulatedFault fault;
     fault.kind = text.substr(0, at);
     const auto row = std::ranges::find(faultRows, fault.kind, &FaultForm::kind);
-    if (row == faultRows.end())
-        return fail(Fault::OutOfRange, say("unknown fault '%1'", fault.kind));
-    const auto bad = [text] { return fail(Fault::OutOfRange, say("fault '%1' does not parse", text)); };
+    if (row == faultRows.end()) {
+        std::string known;
+        for (const FaultForm &each : faultRows)
+            known += (known.empty() ? "" : ", ") + textOf(each);
+        return fail(Fault::OutOfRange, say("unknown fault '%1'", fault.kind), say("legal is %1", known));
+    }
+    const auto bad = [text, row] {
+        return fail(Fault::OutOfRange, say("fault '%1' does not parse", text), say("legal is %1", textOf(*row)));
+    };
     if (row->needs == Needs::Nothing)
         return at == std::string_view::npos ? Result<SimulatedFault>(fault) : bad();
     if (at == std::string_view::npos)
@@ -99,6 +113,8 @@ Result<SimulatedUnit> SimulatedUnit::parse(std::string_view text)
         const auto equals = item.find('=');
         if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
             return bad(say("option '%1' is not KEY=VALUE", item));
+        if (unit.option(item.substr(0, equals)))
+            return bad(say("option '%1' is there twice", item.substr(0, equals)));
         if (item.substr(0, equals) != "fault") {
             unit.options.emplace_back(item.substr(0, equals), item.substr(equals + 1));
             continue;

@@ -23,6 +23,11 @@ template <class Options> struct SimulatorOption {
 constexpr std::array<std::string_view, 10> commonFaults{
     "drop", "corrupt", "delay", "silent", "power", "reset", "encoder-dead", "encoder-reversed", "brownout", "stall"};
 
+[[nodiscard]] inline Message whereOptionsStand()
+{
+    return say("docs/bench.md has the options of each family, and what they take");
+}
+
 /// Options, seed and faults of `unit`. OutOfRange for a key that is in no row of `table` and for a value that its row refuses,
 /// Unsupported for a fault that is neither common nor in `ownFaults`; `what` is "a simulated …".
 template <class Options, std::size_t N>
@@ -36,15 +41,17 @@ template <class Options, std::size_t N>
         const auto row = std::ranges::find_if(
             table, [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
         if (row == table.end())
-            return fail(Fault::OutOfRange, say("%1 has no option '%2'", what, key));
+            return fail(Fault::OutOfRange, say("%1 has no option '%2'", what, key), whereOptionsStand());
         if (!row->set(options, value))
-            return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
+            return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what),
+                whereOptionsStand());
     }
     const auto isIn
         = [](const auto &kinds, const std::string &kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
     for (const SimulatedFault &fault : unit.faults) {
         if (!isIn(commonFaults, fault.kind) && !isIn(ownFaults, fault.kind))
-            return fail(Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind));
+            return fail(
+                Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind), whereOptionsStand());
     }
     return {};
 }

@@ -127,9 +127,9 @@ void SupermodifiedTest::itsOutputHasNoOptionsAndItsPositionCanBeZeroed()
             [&](const QAbstractButton *b) { return b->isVisible() && b->text().startsWith(start); });
     };
     bench.select(WindowBench::tuned);
-    QTRY_VERIFY(shows(QStringLiteral("Ramp, brake")) && !shows(QStringLiteral("Stop and count")));
+    QTRY_VERIFY(shows(QStringLiteral("Drive options")) && !shows(QStringLiteral("Stop and count")));
     bench.window().selection().select(bench.device(node, family)->id);
-    QTRY_VERIFY(!shows(QStringLiteral("Ramp, brake")) && shows(QStringLiteral("Stop and count")));
+    QTRY_VERIFY(!shows(QStringLiteral("Drive options")) && shows(QStringLiteral("Stop and count")));
     QVERIFY(!shows(QStringLiteral("Limits of the loop")));
 }
 

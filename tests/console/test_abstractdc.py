@@ -80,7 +80,8 @@ class AbstractDc(ContractTest):
             self.assert_error(2, "flash", F, path, says="openocd:stlink")
             self.assert_error(2, "flash", F, path, "--via", "openocd:stlink", says="--target")
             self.assert_error(2, "flash", F, path, "--via", "avrdude:x:y", "--target", "f1")
-            dry = self.run_one("flash", F, path, "--via", "openocd:stlink", "--target", "f1", "--dry-run")
+            for way in (["openocd:stlink?target=f1"], ["openocd:stlink", "--target", "f1"]):
+                dry = self.run_one("flash", F, path, "--via", *way, "--dry-run")
             self.assertEqual((dry["result"], dry["verified"]), ("done", False))
             nowhere = Run(["--json", "flash", F, path, "--via", "openocd:stlink", "--target", "f1"],
                           environment={**os.environ, "PATH": folder})

@@ -93,6 +93,7 @@ class BoardTest(ContractTest):
         rows = self.run_one("get", self.device)["parameters"]
         self.assertEqual((rows["ch1.position.p"]["value"], rows["ch1.position.p"]["state"]), (250, "assumed"))
         self.assertEqual(self.run_one("restore", self.device), {"changes": []})
+        self.assertIn("has lost nothing that was written", self.run_text("restore", self.device))
         self.reset(board)
         run = contract.Run(["--json", "get", self.device])
         self.assertEqual(run.status, 0, run.err)

@@ -255,6 +255,11 @@ class DeviceVerbs(ContractTest):
             for name in ("two\nlines", "a\ttab", "\x1b[31mred"):
                 self.assert_error(2, "rename", device, name, says="control character")
 
+    def test_restart_of_a_unit_without_application_says_what_helps(self):
+        run = Run(["restart", EMPTY])
+        self.assertEqual((run.status, run.err.count("\n")), (1, 1), run.err)
+        self.assertIn("update its firmware", run.err)
+
     def test_restart_tells_that_the_unit_answers_again(self):
         self.assertEqual(self.run_one("restart", CIM), {"device": CIM, "result": "restarted"})
         self.assertEqual(self.run_one("restart", "sim:spi/quadquad2drv:0")["result"], "restarted")

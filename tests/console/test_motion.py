@@ -55,6 +55,9 @@ class Motion(ContractTest):
                 self.assertEqual(run.status, 0 if known else 2, run.err)
                 self.assertEqual("which limit switches count" in run.err, known)
         self.assert_error(2, "drive", "sim:can/abstractdc:3", "--mode", "duty", "--target", "0", "--for", "1", "--limit-override", says="limit override")
+        for options, says in ((("duty", "--brake"), "brake"), (("duty", "--coast"), "coast"), (("velocity", "--ramp", "1"), "has no ramp"),
+                              (("off", "--reverse-motor"), "directions")):
+            self.assert_error(2, "drive", "sim:can/abstractdc:3", "--for", "1", "--target", "0", "--mode", *options, says=says)
         self.assert_error(2, "drive", CIM, "--mode", "position", "--target", "0", "--relative", "--for", "1", says="no relative moves")
 
     def test_watch_raises_the_rate_when_asked(self):

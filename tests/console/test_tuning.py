@@ -99,6 +99,7 @@ class Trials(ContractTest):
         number = str(self.number)
         self.assert_error(2, "trials", "--star", number, "--note", "abc", "text", says="--note")
         self.assert_error(2, "trials", "--star", number, "--delete", "0", says="--delete")
+        self.assert_error(2, "trials", "sim:can/dmc60c:7", "--delete", number, says="not one of sim:can/dmc60c:7")
         self.assert_error(2, "trials", "--delete", number, "--export", "/nowhere/trials.csv", says="/nowhere")
         self.assertNotEqual(Run(["trials", "--star", number, "--note", "999999", "text"]).status, 0)
         self.assertEqual(self.run_text("trials"), before)

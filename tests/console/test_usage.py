@@ -164,6 +164,37 @@ class Usage(ContractTest):
             self.assert_error(2, "simulate", "--on", "socketcan:vcan0", unit)
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
 
+    def test_what_is_there_twice_or_lacks_a_value_is_told_in_words_of_this_program(self):
+        for words in (["watch", CIM, "--for", "1", "--for", "2"], ["--timeout", "1", "--timeout", "2", "links"], ["--retries=1", "--retries=1", "links"],
+                      ["trials", "--note", "1", "a", "--note", "1", "b"], ["simulate", "--on", "pty:./a", "supermodified:4,dialect=D1,dialect=D2"]):
+            self.assert_error(2, *words, says="is there twice")
+        self.assert_error(2, "trials", "--note", "1", says="a value of --note is missing")
+        self.assert_error(2, "simulate", "--on", says="a value of --on is missing")
+        self.assertTrue(Run(["links", "extra"]).err.endswith("the usage is motorbenchctl links\n"))
+
+    def test_a_wrong_value_is_told_with_what_is_legal(self):
+        for unit, says in (("supermodified:4,level=2", "docs/bench.md"), ("supermodified:4,frob=2", "docs/bench.md"), ("supermodified:4,fault=foo", "delay@N:MS"),
+                           ("supermodified:4,fault=delay@3", "legal is delay@N:MS")):
+            self.assert_error(2, "simulate", "--on", "pty:./a", unit, says=says)
+        self.assert_error(2, "simulate", "--on", "unix:./a", "quadquad2drv:0,jumper=open", says="boot=")
+        self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5,fault=power-page@31", says="0 … 30")
+        for link, says in (("sim:can?loss=2", "below 1"), ("sim:can?bitrate=7", "legal is"), ("serial:./a?format=9N1", "8O1"), ("serial:./a?baud=x", "legal is 50 … ")):
+            self.assert_error(2, "monitor", link, "--for", "1", says=says)
+
+    def test_what_contradicts_itself_or_does_nothing_is_wrong_usage(self):
+        image = f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex"
+        self.assert_error(2, "step", CIM, "--mode", "velocity", "--to", "10", "--keep", says="--set")
+        self.assert_error(2, "trials", "--star", "1", "--delete", "1", says="nothing to mark")
+        self.assert_error(2, "restore", CIM, image, "--unit-values", "slot0.p", says="belongs to no unit")
+        for way in (["openocd:stlink?target=f1", "--target", "f4"], ["openocd:stlink?target=f7"]):
+            self.assert_error(2, "flash", "sim:can/abstractdc:3", image, "--via", *way, says="--target")
+        self.assert_error(2, "diff", "sim:can/abstractdc:3", CIM, says="Abstract DC and DMC60C have different")
+
+    def test_a_closed_standard_input_is_called_so(self):
+        done = subprocess.run(["bash", "-c", '"$0" decode <&-', contract.PROGRAM], stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
+        self.assertIn("it is closed", done.stderr)
+
     def test_a_full_disk_is_told(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = subprocess.run([contract.PROGRAM, "parameters", "dmc60c"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)

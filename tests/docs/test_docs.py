@@ -16,6 +16,7 @@ import tempfile
 import unittest
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+import consolepage  # noqa: E402 pylint: disable=wrong-import-position
 import ownhome  # noqa: E402 pylint: disable=wrong-import-position
 
 PROGRAMS = pathlib.Path()
@@ -113,6 +114,12 @@ class Docs(unittest.TestCase):
                         self.assertNotIn(ended, (WRONG_USAGE, 126, 127), f"{where}\n{words}")
         print(f"{strict} commands do what they promise, {loose} more are understood")
         self.assertGreater(strict, 20)
+
+    def test_the_page_of_the_console_is_what_the_program_says(self):
+        program, now = PROGRAMS / "motorbenchctl", (SOURCE / "docs" / "console.md").read_text(encoding="utf-8")
+        self.assertEqual(now, consolepage.page(program, now), f"tests/docs/consolepage.py {program} docs/console.md writes it anew")
+        for verb, example in consolepage.EXAMPLE.findall(now):
+            self.assertRegex(example, rf"motorbenchctl {verb}\b")
 
     def test_the_administrators_commands_are_understood_by_a_shell(self):
         found = 0

@@ -252,14 +252,6 @@ TEST(AbstractDcCommand, ADutyIsBetweenAllBackwardsAndAllForwards)
     EXPECT_EQ(duty(0.0)->target, 0);
 }
 
-TEST(AbstractDcCommand, ALoopIsNotReversedByTheDivisorWhichWouldKeepItsIntegral)
-{
-    SetPoint order;
-    order.mode = Mode::Velocity;
-    order.reverseSensor = true;
-    EXPECT_EQ(commandOf(order, {}).error().remedy, "exchange the wires, or the signs of p, i and d");
-}
-
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)
 {
     TargetLead lead;

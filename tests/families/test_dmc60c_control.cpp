@@ -27,7 +27,6 @@ std::vector<Commanded> commands()
     SetPoint slot1 = make(Mode::Position, 123456);
     slot1.slot = 1;
     slot1.reverseSensor = true;
-    slot1.ramp = 1024.0 * 2000.0 / 32767.0;
     SetPoint brake = make(Mode::Duty, 0);
     brake.brake = true;
     SetPoint coast = make(Mode::Duty, 0);
@@ -48,7 +47,7 @@ std::vector<Commanded> commands()
         {"C7 102400 counts/s", make(Mode::Velocity, 102400), "02060005#0100000000280000"},
         {"C9 133.3 counts/s rounded", make(Mode::Velocity, 133.3333), "02060005#010000000D000000"},
         {"C10", make(Mode::Position, 123456), "02060005#0200000140E20000"},
-        {"C12", slot1, "02060005#C200000140E20004"},
+        {"C12 without a ramp, which is the slot's", slot1, "02060005#C200000140E20000"},
         {"C13", make(Mode::Current, 12.5), "02060005#0300000C00800000"},
         {"C15", make(Mode::Voltage, 6.0, 1024.0 * 2000.0 / 32767.0), "02060005#0400000600000004"},
         {"C16", make(Mode::Voltage, -12.0), "02060005#040000F400000000"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Out of the halt (dmc60c/README.md#stopping), and the restart on order. On virtual time, against the simulated controller.
 #include "support/simulatedsession.h"
+#include "transport/canlink.h"
 
 #include <algorithm>
 
@@ -90,6 +91,34 @@ TEST_F(Dmc60cHalt, ARestartStopsTheMotorAndIsRefusedDuringAnUpdate)
     EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());
     device->gate().setBusy(say("firmware update"));
     EXPECT_EQ(run(bench.clock, device->restart()).error().fault, Fault::Unsafe);
+}
+
+TEST(Dmc60cRestart, OfAUnitWithoutApplicationIsRefusedAtOnceAndTellsWhatHelps)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    const Instant begin = bench.clock.now();
+    const auto restarted = run(bench.clock, bench.device(9)->restart());
+    ASSERT_FALSE(restarted);
+    EXPECT_EQ(restarted.error().fault, Fault::Refused);
+    EXPECT_EQ(restarted.error().remedy, "update its firmware first");
+    EXPECT_LT(bench.clock.now() - begin, 5s) << "3 s of them the unit may take";
+}
+
+TEST_F(Dmc60cHalt, ARestartEndsTheBootloaderOfAUnitThatHasAnApplication)
+{
+    auto &link = dynamic_cast<CanLink &>(device->link());
+    ASSERT_TRUE(run(bench.clock, device->write(bench.index(*device, "limit.forward.soft.threshold"), 4711)));
+    const auto session = static_cast<unsigned>(device->identity().session.value_or(0));
+    const auto low = static_cast<std::uint8_t>(session & 0xFFU);
+    const auto high = static_cast<std::uint8_t>(session >> 8U);
+    ASSERT_TRUE(link.send(extendedFrame(0x0206FC05, {low, high, 0xF0, 0, 0, 0, 0, 0}))); // EnterBootloader
+    bench.clock.advance(1s);
+    ASSERT_EQ(device->identity().state, DeviceState::Bootloader);
+    const Instant begin = bench.clock.now();
+    ASSERT_TRUE(run(bench.clock, device->restart()));
+    EXPECT_EQ(device->identity().state, DeviceState::Online);
+    EXPECT_LT(bench.clock.now() - begin, 4s);
 }
 
 TEST_F(Dmc60cHalt, LimitsThatHoldAndAHaltAreTold)

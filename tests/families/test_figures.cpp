@@ -38,7 +38,11 @@ std::string capabilitiesOf(const Family &family)
     flag("stores-at-once", can.storesAtOnce);
     flag("keeps", can.keepsSettings);
     flag("zero", can.zeroPosition);
-    flag("options", can.outputOptions);
+    for (const Mode mode : can.output.ramp)
+        text << "ramp-" << toString(mode) << ' ';
+    flag("brake", can.output.brake);
+    flag("directions", can.output.directions);
+    flag("limits", can.output.limits);
     flag("free-rates", can.freeRates);
     flag("profile", can.commandsProfile);
     text << "| first power " << can.firstPower << ", supply " << can.lowestSupply << ", profile " << can.fastestProfile
@@ -89,13 +93,14 @@ std::string ratesOf(const Family &family)
 TEST(FamilyFigures, WhatADeviceCan)
 {
     EXPECT_EQ(capabilitiesOf(familyNamed("dmc60c")),
-        "readback watchdog version identify rename renumber restart keeps options | first power 0, supply 11, profile "
+        "readback watchdog version identify rename renumber restart keeps ramp-duty ramp-voltage brake directions "
+        "limits | first power 0, supply 11, profile "
         "0 0, axes 1, slots 2, period 20, limit 100, stores 15, scan 500, last 63 255");
     EXPECT_EQ(capabilitiesOf(familyNamed("supermodified")),
         "readback renumber relative buffered stores-at-once keeps zero free-rates | first power 0, supply 0, profile 0 "
         "0, axes 1, slots 1, period 20, limit 250, stores 0, scan 30000, last 127 255");
     EXPECT_EQ(capabilitiesOf(familyNamed("abstractdc")),
-        "keeps options free-rates | first power 0, supply 0, profile 0 0, axes 1, slots 1, period 20, limit 250, "
+        "keeps ramp-duty free-rates | first power 0, supply 0, profile 0 0, axes 1, slots 1, period 20, limit 250, "
         "stores 0, scan 500, last 99 255");
     EXPECT_EQ(capabilitiesOf(familyNamed("quadquad2drv")),
         "readback version restart free-rates profile | first power 0.25, supply 0, profile 100000 1e+06, axes 4, slots "

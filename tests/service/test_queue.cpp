@@ -2,6 +2,9 @@
 // Queues of simulated DMC60C in virtual time: one unit, and fifty with trouble of every kind.
 #include "queuebench.h"
 
+#include <set>
+#include <utility>
+
 namespace mb::service {
 namespace {
 
@@ -51,6 +54,22 @@ TEST_F(ServiceQueues, OneUnitGoesThroughEveryStep)
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), 1U);
     EXPECT_EQ(found->front()->identity().address, 10);
+}
+
+TEST_F(ServiceQueues, TheLastWordOfAStepIsNotSaidOfTheNext)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+    QueueRun run(rack, *books, load(rack, shortText));
+    std::set<std::pair<Step, std::string>> told;
+    const Subscription listening = run.queue.changed().add([&] {
+        for (const QueueRow &row : run.queue.rows()) {
+            if (row.state == RowState::Running && !row.what.empty())
+                told.emplace(row.visit.step, row.what.english());
+        }
+    });
+    ASSERT_TRUE(run.run());
+    EXPECT_TRUE(told.contains({Step::Parameters, "Written"}));
+    EXPECT_FALSE(told.contains({Step::Test, "Written"}));
 }
 
 TEST_F(ServiceQueues, AUnitThatIsSwappedDuringItsUpdateIsNeitherSetUpNorTested)

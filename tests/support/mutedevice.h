@@ -26,7 +26,7 @@ private:
     Task<std::vector<FaultRecord>> clearFaults() override { return no<std::vector<FaultRecord>>(); }
     Task<void> renumber(int) override { return no<void>(); }
     Task<void> setRate(ChannelIndex, double) override { return no<void>(); }
-    [[nodiscard]] Result<void> check(const SetPoint &) const override { return {}; }
+    [[nodiscard]] Result<void> doCheck(const SetPoint &) const override { return {}; }
 };
 
 } // namespace mb::test

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/registry.h"
 #include "support/windowtests.h"
 #include "tunehand.h"
 #include "widgets/common/iconbutton.h"
@@ -11,6 +12,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 
 using namespace mb;
@@ -27,7 +29,9 @@ class TestTune : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void runIsRefusedWhenNotArmed();
-    void runSendsTheSetPointWithSlotRampAndFlags();
+    void runSendsTheSetPointWithSlotAndFlags();
+    void onlyOptionsThatMeanSomethingInTheModeAreOfferedAndSent_data();
+    void onlyOptionsThatMeanSomethingInTheModeAreOfferedAndSent();
     void aSetPointWhosePresentValueNobodyTellsBeginsAtNothing();
     void aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly();
     void theWheelSteersNothingItPasses();
@@ -57,13 +61,12 @@ void TestTune::runIsRefusedWhenNotArmed()
     QVERIFY(bench.workbench.lines.back().text.contains(QLatin1String("Not armed")));
 }
 
-void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
+void TestTune::runSendsTheSetPointWithSlotAndFlags()
 {
     TuneBench bench;
     slot(bench, "Gain slot, edit and run", 1)->click();
     pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
     pick(bench.find<QComboBox>("At zero output"), 2);
-    type(bench.find<QLineEdit>("Ramp of the output, duty per second"), "2.5");
     for (const char *flag : {"Reverse sensor", "Override limits", "Reverse limit off"})
         bench.find<QCheckBox>(flag)->setChecked(true);
     type(bench.find<QLineEdit>("Set-point"), "-60000");
@@ -76,11 +79,48 @@ void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
     expected.target = -60000.0;
     expected.slot = 1;
     expected.brake = false;
-    expected.ramp = 2.5;
     expected.reverseSensor = true;
     expected.overrideLimits = true;
     expected.disableReverseLimit = true;
     QVERIFY(starts[0].setPoint == expected);
+}
+
+void TestTune::onlyOptionsThatMeanSomethingInTheModeAreOfferedAndSent_data()
+{
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<bool>("ramps");
+    QTest::addColumn<bool>("brakes");
+    QTest::newRow("a DMC60C ramps a duty") << s("dmc60c") << static_cast<int>(Mode::Duty) << true << true;
+    QTest::newRow("its velocity has the ramp of the slot")
+        << s("dmc60c") << static_cast<int>(Mode::Velocity) << false << true;
+    QTest::newRow("an Abstract DC Drive ramps a duty")
+        << s("abstractdc") << static_cast<int>(Mode::Duty) << true << false;
+    QTest::newRow("and nothing else") << s("abstractdc") << static_cast<int>(Mode::Position) << false << false;
+}
+
+void TestTune::onlyOptionsThatMeanSomethingInTheModeAreOfferedAndSent()
+{
+    QFETCH(QString, family);
+    QFETCH(int, mode);
+    QFETCH(bool, ramps);
+    QFETCH(bool, brakes);
+    const ThemeSource theme(lightTheme());
+    SetPointPanel panel(theme);
+    SetPointEntries entered;
+    entered.options.ramp = 2.5;
+    panel.show(*findFamily(families(), family.toStdString()), static_cast<Mode>(mode), entered);
+    panel.setVisible(true);
+    const auto *more = panel.findChild<QPushButton *>(s("driveOptions"));
+    QCOMPARE(more->isVisible(), ramps || brakes);
+    QCOMPARE(more->text().contains(s("ramp")), ramps);
+    const auto *options = panel.findChild<DriveOptions *>();
+    QCOMPARE(options->findChild<QComboBox *>()->isVisibleTo(options), brakes);
+    QCOMPARE(options->findChild<QLineEdit *>()->isVisibleTo(options), ramps);
+    SetPoint sent;
+    panel.apply(sent);
+    QCOMPARE(sent.ramp, ramps ? 2.5 : 0.0);
+    QCOMPARE(panel.entered().options.ramp, 2.5);
 }
 
 void TestTune::aSetPointWhosePresentValueNobodyTellsBeginsAtNothing()

@@ -328,7 +328,7 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
         field->setText(s("40000"));
         Q_EMIT field->textEdited(field->text());
         for (auto *button : bench.page->findChildren<QAbstractButton *>()) {
-            if (button->text().startsWith(s("Limits of")) || button->text().startsWith(s("Ramp,")))
+            if (button->text().startsWith(s("Limits of")) || button->text().startsWith(s("Drive options")))
                 button->click();
         }
         QCoreApplication::processEvents();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/driveoptions.h"
 
+#include "widgets/common/layoutin.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
@@ -10,6 +11,9 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
+
+#include <array>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -53,16 +57,16 @@ QLabel *DriveOptions::tallLabel(const QString &text)
 
 void DriveOptions::addRamp()
 {
-    m_ramp = new NumberField(QStringLiteral("0"), this);
+    m_rampRow = new QWidget(this);
+    m_ramp = new NumberField(QStringLiteral("0"), m_rampRow);
     m_ramp->setFixedWidth(m_theme.theme().u(88));
     m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
     m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 "
                           "takes 0.5 s from 0 to 100 %."));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(m_theme.theme().u(8));
+    auto *row = layoutIn<QHBoxLayout>(m_rampRow, m_theme.theme().u(8));
     row->addWidget(m_ramp);
-    row->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, this), 1);
-    m_form->addRow(tallLabel(tr("Ramp")), row);
+    row->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, m_rampRow), 1);
+    m_form->addRow(tallLabel(tr("Ramp")), m_rampRow);
     m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
     m_fault->hide();
     m_form->addRow(m_fault);
@@ -84,6 +88,22 @@ QCheckBox *DriveOptions::addFlag(const QString &text, const QString &help)
     return box;
 }
 
+bool DriveOptions::offer(const OutputOptions &can, Mode mode)
+{
+    const std::array<std::pair<QWidget *, bool>, 7> rows{{{m_rampRow, can.ramps(mode)}, {m_brake, can.brake},
+        {m_reverseMotor, can.directions}, {m_reverseSensor, can.directions}, {m_override, can.limits},
+        {m_forwardOff, can.limits}, {m_reverseOff, can.limits}}};
+    bool any = false;
+    for (const auto &[row, isOffered] : rows) {
+        row->setVisible(isOffered);
+        if (QWidget *const label = m_form->labelForField(row))
+            label->setVisible(isOffered);
+        any = any || isOffered;
+    }
+    m_fault->setVisible(!fault().isEmpty());
+    return any;
+}
+
 std::optional<double> DriveOptions::ramp() const
 {
     const auto number = parseNumber(m_ramp->text());
@@ -92,9 +112,10 @@ std::optional<double> DriveOptions::ramp() const
 
 QString DriveOptions::fault() const
 {
-    return ramp() ? QString()
-                  : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.")
-                        .arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
+    return ramp() || m_rampRow->isHidden()
+        ? QString()
+        : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.")
+              .arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
 }
 
 void DriveOptions::checkRamp()
@@ -121,7 +142,7 @@ void DriveOptions::apply(SetPoint &setPoint) const
 QString DriveOptions::summary() const
 {
     QStringList parts;
-    if (ramp().value_or(0.0) > 0.0)
+    if (!m_rampRow->isHidden() && ramp().value_or(0.0) > 0.0)
         parts << tr("ramp %1 duty/s").arg(editText(*ramp()));
     if (m_brake->currentIndex() != AsDevice)
         parts << m_brake->currentText();

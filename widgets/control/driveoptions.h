@@ -23,6 +23,9 @@ class DriveOptions : public QWidget {
 public:
     explicit DriveOptions(const ThemeSource &theme, QWidget *parent = nullptr);
 
+    /// Shows what means something in this mode; false: nothing does. What is not shown stays as it was entered, and is neither said
+    /// nor refused.
+    bool offer(const OutputOptions &can, Mode mode);
     /// Fills ramp, brake and flags; leaves mode and target alone.
     void apply(SetPoint &setPoint) const;
     /// Empty when everything here can be sent.
@@ -46,6 +49,7 @@ private:
 
     const ThemeSource &m_theme;
     QFormLayout *m_form = nullptr;
+    QWidget *m_rampRow = nullptr;
     QLineEdit *m_ramp = nullptr;
     QLabel *m_fault = nullptr;
     QComboBox *m_brake = nullptr;

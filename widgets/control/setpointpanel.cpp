@@ -92,6 +92,7 @@ void SetPointPanel::buildOptions()
     m_options = new DriveOptions(m_theme, this);
     m_options->hide();
     m_more = linkButton({}, this);
+    m_more->setObjectName(QStringLiteral("driveOptions"));
     m_more->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the summary may be longer than a line
     showSummary();
     connect(m_more, &QPushButton::clicked, this, [this] {
@@ -114,7 +115,7 @@ void SetPointPanel::buildOptions()
 void SetPointPanel::showSummary()
 {
     const QString summary = m_options->summary();
-    const QString title = m_options->isHidden() ? tr("Ramp, brake, direction, limits") : tr("Hide drive options");
+    const QString title = m_options->isHidden() ? tr("Drive options") : tr("Hide drive options");
     m_more->setText(summary.isEmpty() ? title : title + QStringLiteral(": ") + summary);
     m_more->setToolTip(summary);
 }
@@ -141,15 +142,15 @@ void SetPointPanel::show(const Family &family, Mode mode, const SetPointEntries 
     m_profile->show(entered);
     m_options->show(entered.options);
     setUnits(m_units);
-    showSummary();
 }
 
 void SetPointPanel::showExtras()
 {
-    const bool options = m_family && m_family->capabilities.outputOptions;
+    const bool options = m_family && m_options->offer(m_family->capabilities.output, m_mode);
     m_more->setVisible(options);
     if (!options)
         m_options->hide();
+    showSummary();
     const bool profiled = isProfiled(m_family, m_mode);
     m_profile->setVisible(profiled);
     m_profile->setMode(m_mode);
@@ -314,8 +315,9 @@ void SetPointPanel::apply(SetPoint &setPoint) const
 {
     setPoint.mode = m_mode;
     setPoint.target = target().value_or(0.0);
-    if (m_family && m_family->capabilities.outputOptions)
-        m_options->apply(setPoint);
+    m_options->apply(setPoint);
+    if (!m_family || !m_family->capabilities.output.ramps(m_mode))
+        setPoint.ramp = 0.0;
     if (isProfiled(m_family, m_mode)) {
         const SetPointEntries all = entered();
         setPoint.velocity = all.velocity;

@@ -76,7 +76,8 @@ std::optional<SetPoint> TuneMotion::jog(bool forwards) const
     setPoint.slot = m_column.modePanel().runningSlot();
     setPoint.mode = has(Mode::Duty) ? Mode::Duty : Mode::Velocity;
     setPoint.target = (has(Mode::Duty) ? gentleDuty : slowly) * (forwards ? 1.0 : -1.0);
-    setPoint.brake = view->family->capabilities.outputOptions;
+    if (view->family->capabilities.output.brake)
+        setPoint.brake = true;
     return setPoint;
 }
 

@@ -138,7 +138,7 @@ Result<void> Controller::doMayMove() const
         std::move(remedy));
 }
 
-Result<void> Controller::check(const SetPoint &setPoint) const
+Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
     MB_TRY(const auto command, commandOf(setPoint, knowledge().profile()));
     const double unknown = LeadProbe().most();

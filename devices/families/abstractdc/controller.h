@@ -25,7 +25,6 @@ public:
     Task<std::vector<FaultRecord>> clearFaults() override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
     [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     [[nodiscard]] StopScript stopScript() const override;
     [[nodiscard]] bool isSeenStopped() const override;
@@ -37,6 +36,7 @@ private:
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
 
     // Device, at once
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
     [[nodiscard]] Result<void> doMayMove() const override;
     void doProfileChanged() override;
     Result<void> doCommand(const SetPoint &setPoint) override;

@@ -101,6 +101,7 @@ constexpr LoopScale controlLoop{
     .dutyAtOnce = true,
 };
 
+constexpr std::array ramped{Mode::Duty}; // by this program, TargetLead
 constexpr Capabilities capabilities{
     .readback = false,
     .watchdog = false,
@@ -108,6 +109,7 @@ constexpr Capabilities capabilities{
     .identify = false,
     .rename = false,
     .renumber = false,
+    .output = {.ramp = ramped},
     .lastAddress = maxOffset,
     .axes = 1,
     .gainSlots = 1,

@@ -64,12 +64,6 @@ std::optional<double> strengthOf(
 Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile)
 {
     MB_TRY(const auto scale, scaleOf(setPoint.mode, profile));
-    if (setPoint.reverseMotor || setPoint.reverseSensor)
-        return fail(Fault::Unsupported, say("an Abstract DC Drive cannot exchange directions"),
-            say("exchange the wires, or the signs of p, i and d"));
-    if (setPoint.overrideLimits)
-        return fail(Fault::Unsupported,
-            say("an Abstract DC Drive has no limit switches, so there is no limit override"), say("leave it out"));
     if (!std::isfinite(setPoint.target))
         return fail(Fault::OutOfRange, say("%1 needs a number", toString(setPoint.mode)));
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)

@@ -123,10 +123,11 @@ Task<void> Controller::identify()
     co_return {};
 }
 
-/// A restart takes what is not in flash yet, so that is waited for, and without it there is none.
+/// A restart takes what is not in flash yet, so that is waited for, and without it there is none. A bootloader has no such thing.
 Task<void> Controller::doRestart()
 {
-    co_await m_desk.storeWhatWaits();
+    if (identity().state != DeviceState::Bootloader)
+        co_await m_desk.storeWhatWaits();
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (!reply && reply.error().fault != Fault::Timeout)
@@ -135,8 +136,9 @@ Task<void> Controller::doRestart()
         restarted(); // only its answer may be lost
     const Result<void> refreshed = co_await refresh().attempt();
     if (!reply && !refreshed)
-        co_return fail(Fault::Timeout, say("it did not come back"),
-            say("without an application its bootloader is silent (scan shows it)"));
+        co_return fail(Fault::Timeout, say("it did not come back"), say("switch it off and on"));
+    if (!reply && identity().firmware.empty()) // where there is nothing to start, silence is the answer
+        co_return fail(Fault::Refused, say("no application runs in this unit"), say("update its firmware first"));
     if (!reply)
         co_return fail(Fault::Timeout, say("it did not say that it restarts, and may have done so or not"),
             say("restart it once more"));
@@ -210,7 +212,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 // Control
 
-Result<void> Controller::check(const SetPoint &setPoint) const
+Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
     MB_TRY_VOID(controlFor(setPoint, identity().address));
     return {};

@@ -29,7 +29,6 @@ public:
     Task<void> rename(std::string name) override;
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override { return m_rates.set(channel, hertz); }
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override;
     [[nodiscard]] StopScript stopScript() const override;
     [[nodiscard]] bool isSeenStopped() const override;
 
@@ -41,6 +40,7 @@ private:
     Task<void> doRestart() override;
 
     // Device, at once
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
     [[nodiscard]] Result<void> doMayMove() const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;

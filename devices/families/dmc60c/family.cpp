@@ -41,6 +41,7 @@ constexpr LoopScale loop{
     .derivativeInverted = false,
 };
 
+constexpr std::array ramped{Mode::Duty, Mode::Voltage}; // a loop has the ramp of its slot
 constexpr Capabilities capabilities{
     .readback = true,
     .watchdog = true,
@@ -49,6 +50,7 @@ constexpr Capabilities capabilities{
     .rename = true,
     .renumber = true,
     .restart = true,
+    .output = {.ramp = ramped, .brake = true, .directions = true, .limits = true},
     .freeRates = false, // how often it sends its status is for everybody on the bus
     .lowestSupply = 11.0,
     .axes = 1,

@@ -101,7 +101,8 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         return fail(taken.error());
     const SimulatedFault *page = findFault(options.faults, "power-page");
     if (page && page->at > lastPage)
-        return fail(Fault::OutOfRange, say("fault '%1' does not parse", "power-page"));
+        return fail(Fault::OutOfRange, say("fault '%1' does not parse", "power-page"),
+            say("legal is %1", "0 … " + std::to_string(lastPage)));
     return options;
 }
 

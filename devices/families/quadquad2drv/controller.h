@@ -35,7 +35,6 @@ public:
     Task<std::vector<FaultRecord>> clearFaults() override { return readFaults(); }
     Task<void> renumber(int address) override;
     Task<void> setRate(ChannelIndex channel, double hertz) override;
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
     [[nodiscard]] Message caution(const SetPoint &setPoint) const override
     {
         return checkSetPoint(setPoint) ? cautionOf(setPoint, parameters()) : Message();
@@ -52,6 +51,7 @@ private:
     void doProfileChanged() override;
 
     // Device, at once
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override { return checkSetPoint(setPoint); }
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
 

@@ -32,7 +32,6 @@ constexpr Capabilities capabilities{
     .renumber = false,
     .restart = true,
     .keepsSettings = false,
-    .outputOptions = false,
     .lastAddress = 0,
     .commandsProfile = true,
     .firstPower = 0.25, // SettingRequests::firstPowerLimit

@@ -63,7 +63,7 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
     MB_TRY_VOID(takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {"power-page"}, options));
-    if ((options.jumper || options.inBootloader) && !options.boot)
+    if ((options.inBootloader || unit.option("jumper")) && !options.boot)
         return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
 }

@@ -36,7 +36,6 @@ public:
     Task<void> setRate(ChannelIndex channel, double hertz) override;
     Task<void> zeroPosition() override;
     [[nodiscard]] bool offers(ParameterIndex index) const override { return m_settings.offers(index); }
-    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const override { return m_motion.check(setPoint); }
     [[nodiscard]] Message caution(const SetPoint &setPoint) const override;
     [[nodiscard]] StopScript stopScript() const override;
     [[nodiscard]] bool isSeenStopped() const override;
@@ -48,6 +47,7 @@ private:
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override { return m_settings.write(index, raw); }
 
     // Device, at once
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override { return m_motion.check(setPoint); }
     [[nodiscard]] Result<void> doMayMove() const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override { return m_motion.release(); }

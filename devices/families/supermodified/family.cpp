@@ -71,7 +71,6 @@ constexpr Capabilities capabilities{
     .bufferedMoves = true,
     .storesAtOnce = true,
     .zeroPosition = true,
-    .outputOptions = false,
     .firstAddress = lowestNode,
     .lastAddress = highestNode,
     .axes = 1,

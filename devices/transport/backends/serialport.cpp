@@ -414,12 +414,15 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
         int number = 0;
         const bool whole = takeNumber(value, number);
         bool good = whole && (number == 0 || number == 1);
+        std::string legal = "0, 1";
         if (key == "format") {
+            legal = "8N1, 8E1, 8O1, 8N2";
             good = value == "8N1" || value == "8E1" || value == "8O1" || value == "8N2";
             options.format = value;
-        } else if (key == "baud")
+        } else if (key == "baud") {
+            legal = std::to_string(SerialLink::slowest) + " … " + std::to_string(SerialLink::fastest);
             good = whole && number >= SerialLink::slowest && number <= SerialLink::fastest;
-        else if (key == "rs485")
+        } else if (key == "rs485")
             options.rs485 = number == 1;
         else if (key == "echo")
             options.echo = number == 1;
@@ -427,7 +430,8 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
             return fail(Fault::OutOfRange, say("unknown option '%1' of a serial link", key),
                 say("baud, format, rs485 and echo are known"));
         if (!good)
-            return fail(Fault::OutOfRange, say("link option %1=%2 is out of range", key, value));
+            return fail(
+                Fault::OutOfRange, say("link option %1=%2 is out of range", key, value), say("legal is %1", legal));
     }
     return std::make_unique<SerialPortLink>(address, clock, options);
 }

@@ -100,7 +100,7 @@ private:
     Task<void> renumber(int) override { co_return fail(Fault::Unsupported, say("its number is soldered")); }
     Task<void> setRate(ChannelIndex, double) override { co_return {}; } // it has one
 
-    Result<void> check(const SetPoint &setPoint) const override
+    Result<void> doCheck(const SetPoint &setPoint) const override
     {
         if (setPoint.mode != Mode::Duty && setPoint.mode != Mode::Position && setPoint.mode != Mode::Off)
             return fail(Fault::Unsupported, say("it has duty and position only"));
@@ -110,7 +110,7 @@ private:
     }
     Result<void> doCommand(const SetPoint &setPoint) override
     {
-        if (auto legal = check(setPoint); !legal)
+        if (auto legal = doCheck(setPoint); !legal)
             return legal;
         const bool duty = setPoint.mode == Mode::Duty;
         const auto raw = static_cast<std::int32_t>(std::lround(setPoint.target * (duty ? fullDuty : 1.0)));

@@ -18,7 +18,6 @@ constexpr std::array<std::string_view, 2> bench{"tinker:3", "tinker:4,motor=n20"
 
 constexpr Capabilities capabilities{
     .watchdog = true,
-    .outputOptions = false,
     .freeRates = false,
     .commandLimit = driveLimit,
     .watchdogLimit = 2 * driveLimit,

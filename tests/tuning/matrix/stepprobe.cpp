@@ -88,7 +88,7 @@ SetPoint StepProbe::setPoint(double target) const
     SetPoint point;
     point.mode = m_step.rate > 0.0 ? Mode::RampPosition : m_cell.loop;
     point.target = target;
-    if (m_unit->device().family().capabilities.outputOptions)
+    if (m_unit->device().family().capabilities.output.brake)
         point.brake = true;
     return point;
 }
