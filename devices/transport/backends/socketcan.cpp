@@ -244,8 +244,10 @@ void SocketCanLink::takeInterface(const CanInterface &now)
     if (now.kind != CanInterface::Kind::Controller || state() != LinkState::Open)
         return;
     updateHealth(now.state, now.transmitErrors, now.receiveErrors);
-    if (now.state == BusState::BusOff) // its error frame may have found no room in the socket
-        end(busOff(address().path));
+    if (now.state != BusState::BusOff)
+        return;
+    unwatch(); // its error frame may have found no room in the socket
+    lose(busOff(address().path));
 }
 
 void SocketCanLink::countInterface()
@@ -403,8 +405,6 @@ void SocketCanLink::flush()
         const int cause = writeFrame(m_descriptor, next.frame, next.priority);
         if (cause != 0) {
             m_queue.putBack(next);
-            if (!health().stuckSince)
-                setStuckSince(clock().now());
             if (!tryLater(cause))
                 failLater(cause);
             return;
