@@ -2,6 +2,8 @@
 // The averaging of the current: a drive whose averaging was lowered may overwrite its memory until it is switched off and on.
 #include "abstractdccontrollerbench.h"
 
+#include <limits>
+
 namespace mb::abstractdc {
 namespace {
 
@@ -250,6 +252,29 @@ TEST(AbstractDcCommand, ADutyIsBetweenAllBackwardsAndAllForwards)
     EXPECT_EQ(duty(-1.0)->target, -255);
     EXPECT_EQ(duty(1.0)->target, 255);
     EXPECT_EQ(duty(0.0)->target, 0);
+}
+
+TEST(AbstractDcCommand, WhatADriveCannotDoIsSaidInOneClause)
+{
+    const auto refusal = [](const auto &change) {
+        SetPoint order;
+        order.mode = Mode::Duty;
+        change(order);
+        const auto made = commandOf(order, {});
+        return made ? std::string() : made.error().text();
+    };
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal([](SetPoint &) {}), "");
+    EXPECT_EQ(
+        refusal([](SetPoint &order) { order.mode = Mode::Voltage; }), "an Abstract DC Drive has no mode 'voltage'");
+    EXPECT_EQ(refusal([](SetPoint &order) { order.target = none; }), "duty needs a number");
+    for (const double ramp : {none, -0.001})
+        EXPECT_EQ(refusal([ramp](SetPoint &order) { order.ramp = ramp; }),
+            "the ramp must be 0 or a positive number of duty per second");
+    EXPECT_EQ(refusal([](SetPoint &order) { order.target = 1.5; }), "duty 1.5 is outside -1 … 1");
+    SetPoint off;
+    EXPECT_EQ(off.mode, Mode::Off);
+    EXPECT_EQ(commandOf(off, {})->target, 0);
 }
 
 TEST(AbstractDcTargetLead, ADutyIsLedFromWhereItWasAsFastAsItsRampSays)

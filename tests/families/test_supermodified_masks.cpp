@@ -45,6 +45,10 @@ TEST(SupermodifiedRoster, AMaskAndAnIdThatWaitForARestartCountAlready)
     EXPECT_EQ(roster.followersOf(5), std::vector<int>{4}) << "the old one is still in force";
     roster.noteMask(4, 0xFF);
     EXPECT_EQ(roster.lockOf(5), "");
+    roster.noteNextMask(4, 0xF0);
+    roster.noteMask(4, 0xF0);
+    roster.noteMask(4, 0xFF);
+    EXPECT_EQ(roster.followersOf(5), std::vector<int>{}) << "what was written was in force, and is not any more";
     roster.noteNextId(4, usualHostId);
     EXPECT_NE(roster.hostId(), usualHostId);
 }

@@ -197,3 +197,22 @@ TEST_F(SerialBench, TheSnapshotHasRateLoadAndRoundTrip)
     EXPECT_GT(*view.roundTrip, 2ms);
     EXPECT_LT(*view.roundTrip, 4ms);
 }
+
+TEST(Benches, TheSimulatedLinksTogetherShareAFaultOutToThoseThatCanHaveIt)
+{
+    const auto expanded = [](const char *address) {
+        std::string all;
+        for (const LinkAddress &each : expandLink(LinkAddress::parse(address).value(), families()))
+            all += each.text() + ' ';
+        return all;
+    };
+    EXPECT_EQ(expanded("sim:"), "sim:can sim:serial sim:spi ");
+    EXPECT_EQ(expanded("sim:can?fault=melt@1"), "sim:can?fault=melt@1 ");
+    EXPECT_EQ(expanded("socketcan:can0"), "socketcan:can0 ");
+    EXPECT_EQ(expanded("sim:?fault=power-page@3"), "sim:can?fault=power-page@3 sim:serial sim:spi ");
+    EXPECT_EQ(expanded("sim:?fault=melt@1"), "sim:can?fault=melt@1 sim:serial?fault=melt@1 sim:spi?fault=melt@1 ")
+        << "each of them refuses it";
+    EXPECT_EQ(expanded("sim:?seed=3&fault=power-page@3&fault=stall@1"),
+        "sim:can?seed=3&fault=power-page@3&fault=stall@1 sim:serial?seed=3&fault=stall@1 "
+        "sim:spi?seed=3&fault=stall@1 ");
+}

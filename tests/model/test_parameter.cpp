@@ -33,6 +33,26 @@ TEST(Parameter, TakesNumbersWithADot)
     EXPECT_EQ(parseRaw(whole, "0x1F"), 31);
 }
 
+TEST(Parameter, EveryTypeHasItsNameAndItsRange)
+{
+    const auto textOf = [](WireType type, double one = 1.0) {
+        const RawRange range = rangeOf(type);
+        return std::string(typeName(row(type, one, 0.0, 1.0))) + ' ' + std::to_string(range.low) + " … "
+            + std::to_string(range.high);
+    };
+    EXPECT_EQ(textOf(WireType::Boolean), "boolean 0 … 1");
+    EXPECT_EQ(textOf(WireType::Int16), "integer -32768 … 32767");
+    EXPECT_EQ(textOf(WireType::Int16, 10.0), "number -32768 … 32767");
+    EXPECT_EQ(textOf(WireType::Int32), "integer -2147483648 … 2147483647");
+    EXPECT_EQ(textOf(WireType::Uint8), "integer 0 … 255");
+    EXPECT_EQ(textOf(WireType::Uint16), "integer 0 … 65535");
+    EXPECT_EQ(textOf(WireType::Uint31), "integer 0 … 2147483647");
+    EXPECT_EQ(textOf(WireType::Uint32), "integer 0 … 4294967295");
+    EXPECT_EQ(textOf(WireType::Fixed16x16, 65536.0), "number -2147483648 … 2147483647");
+    EXPECT_EQ(textOf(WireType::Flags32), "flags 0 … 4294967295");
+    EXPECT_EQ(textOf(WireType::Flags64), "flags 0 … 9007199254740992");
+}
+
 TEST(Parameter, RefusesACommaBecauseItMayMeanThousands)
 {
     for (const char *text : {"1,5", "1,500", "1.500,0",

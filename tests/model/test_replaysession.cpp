@@ -283,6 +283,12 @@ TEST(ReplaySession, IsConnectedBySelectorAndRefusesADamagedFile)
     const auto connected = test::run(clock, session.connect(*selector));
     ASSERT_TRUE(connected) << connected.error().text();
     EXPECT_EQ((*connected)->identity().address, 7);
+    const auto nobody
+        = test::run(clock, session.connect(*DeviceSelector::parse("replay:" + run.path + "?speed=max/dmc60c:33")));
+    ASSERT_FALSE(nobody);
+    EXPECT_EQ(nobody.error().fault, Fault::Timeout);
+    EXPECT_EQ(nobody.error().text(),
+        "no dmc60c sends as number 33 in replay:" + run.path + "?speed=max; a scan of the recording lists who does");
     const std::string damaged = run.folder.write("damaged.log", run.folder.read("run.log") + "rubbish\nmore\n");
     const auto broken = session.openLink(*LinkAddress::parse("replay:" + damaged));
     ASSERT_TRUE(broken);

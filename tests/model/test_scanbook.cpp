@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What scans leave for the next run of the program.
 #include "model/registry.h"
+#include "support/heldbackground.h"
 #include "support/pseudoterminal.h"
 #include "support/simulatedsession.h"
 
@@ -203,6 +204,43 @@ TEST_F(Scans, ASessionWarnsOnceOfADamagedFileAndGoesOn)
     program.scan(address);
     EXPECT_EQ(program.troubles.size(), 1U);
     EXPECT_EQ(book.load(address).value().size(), 1U);
+}
+
+TEST_F(Scans, InTheBackgroundWhoAnsweredIsKeptLaterAndATroubleIsToldOnce)
+{
+    const test::PseudoTerminal port;
+    const std::string address = "serial:" + port.path();
+    answering = {node(4, "57600")};
+    test::HeldBackground background;
+    {
+        Program program(folder.path().toStdString());
+        program.session.setBackground(&background);
+        program.scan(address);
+        ASSERT_EQ(background.waiting(), 1U);
+        const ScanBook kept(folder.path().toStdString());
+        EXPECT_EQ(background.lane(), kept.pathOf(address));
+        EXPECT_EQ(kept.load(address).value().size(), 0U);
+        background.release();
+        EXPECT_EQ(kept.load(address).value(), answering);
+    }
+    background.release();
+    const std::string below = folder.filePath("letter/scans").toStdString();
+    QFile letter(folder.filePath("letter"));
+    ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
+    const std::vector<std::string> told{below + " cannot be made; check the rights of the folder above it"};
+    Program later(below);
+    later.session.setBackground(&background);
+    for (int round = 0; round < 2; ++round) {
+        later.scan(address);
+        EXPECT_EQ(later.troubles.size(), static_cast<std::size_t>(round));
+        background.release();
+        EXPECT_EQ(later.troubles, told) << "once of each link and cause";
+    }
+    later.session.closeLink(*later.session.links().front());
+    background.release();
+    Program atOnce(below);
+    atOnce.scan(address);
+    EXPECT_EQ(atOnce.troubles, told);
 }
 
 TEST_F(Scans, SimulatedLinksAndThoseWithoutAMemoryKeepNothing)

@@ -312,6 +312,24 @@ TEST(Session, ASerialNumberThatIsLearnedLaterMakesNoOtherUnitOfADevice)
     EXPECT_EQ(device.telemetry()->size(*device.telemetry()->find("position")), 0U);
 }
 
+TEST_F(Driven, AnotherUnitInItsPlaceIsNotDrivenAndNothingReadOfTheOneBeforeIsItsOwn)
+{
+    Device &device = *bench.device(5);
+    Identity identity = device.identity();
+    ASSERT_NE(identity.serial, "");
+    device.setIdentity(identity);
+    SetPointStream &stream = bench.session.stream(device);
+    EXPECT_TRUE(stream.isRunning()) << "it is the same";
+    const ParameterIndex gain = bench.index(device, "slot0.p");
+    device.parameters().setRead(gain, 65536);
+    identity.serial = "A8";
+    device.setIdentity(identity);
+    EXPECT_EQ(stream.end(), SetPointStream::End::Stopped);
+    bench.clock.advance(3ms);
+    EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());
+    EXPECT_FALSE(device.parameters().entry(gain).raw);
+}
+
 TEST_F(Driven, HasOneStreamForADevice)
 {
     EXPECT_EQ(&bench.session.stream(*bench.device(5)), &bench.session.stream(*bench.device(5)));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of the devices of a session outlives them, each in its place. The lines are pseudo terminals.
 #include "sessionlines.h"
+#include "support/heldbackground.h"
 
+#include <QDir>
 #include <QFile>
 
 namespace mb {
@@ -78,6 +80,80 @@ TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
     EXPECT_TRUE(duplicate(0x34, {&first}).knowledge().profile().isEmpty());
     devices.forget(*links[0]);
     EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
+}
+
+TEST_F(SessionLines, UntilItIsOnTheDiskWhatIsKnownIsRecalledFromWhereItWaits)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    test::HeldBackground background;
+    memory.keepProfiles(profiles);
+    memory.setBackground(&background);
+    motorOn(*links[0]).knowledge().setCounter("saves", 7);
+    motorOn(*links[0]).knowledge().setCounter("saves", 8);
+    ASSERT_EQ(background.waiting(), 2U);
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(background.lane())));
+    devices.forget(*links[0]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
+    const QString file = QString::fromStdString(background.lane());
+    background.release();
+    EXPECT_TRUE(QFile::exists(file));
+    devices.forget(*links[0]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 8);
+    ASSERT_TRUE(QFile::remove(file));
+    devices.forget(*links[0]);
+    EXPECT_TRUE(motorOn(*links[0]).knowledge().profile().isEmpty()) << "nothing waits any more";
+}
+
+TEST_F(SessionLines, AProfileThatCannotBeKeptOrReadIsToldInOneLine)
+{
+    QFile letter(folder.filePath("letter"));
+    ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
+    const std::string below = folder.filePath("letter/profiles").toStdString();
+    std::vector<std::string> told;
+    const auto listening
+        = memory.profileTrouble().add([&told](const Message &text) { told.push_back(text.english()); });
+    memory.keepProfiles(below);
+    WiredMotor &motor = motorOn(*links[0]);
+    told.clear();
+    const std::string cause = ProfileBook(below).save("x", {}).error().text();
+    motor.knowledge().setCounter("saves", 7);
+    EXPECT_EQ(told, std::vector<std::string>{cause});
+    test::HeldBackground background;
+    memory.setBackground(&background);
+    motor.knowledge().setCounter("saves", 8);
+    EXPECT_EQ(told.size(), 1U);
+    background.release();
+    EXPECT_EQ(told, (std::vector<std::string>{cause, cause}));
+    memory.setBackground(nullptr);
+    memory.keepProfiles(folder.filePath("profiles").toStdString());
+    motor.knowledge().setCounter("saves", 9);
+    EXPECT_EQ(told.size(), 2U);
+    const QDir kept(folder.filePath("profiles"));
+    const QStringList files = kept.entryList(QDir::Files);
+    ASSERT_EQ(files.size(), 1);
+    QFile damaged(kept.filePath(files.front()));
+    ASSERT_TRUE(damaged.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    damaged.write("no JSON at all");
+    damaged.close();
+    devices.forget(*links[0]);
+    EXPECT_TRUE(motorOn(*links[0]).knowledge().profile().isEmpty());
+    EXPECT_EQ(told.size(), 3U);
+}
+
+TEST_F(SessionLines, WhatIsWrittenAfterTheSessionHasEndedIsWrittenAndTellsNobody)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    test::HeldBackground background;
+    WiredMotor &motor = motorOn(*links[0]);
+    motor.knowledge().setCounter("saves", 7);
+    auto ending = std::make_unique<SessionMemory>();
+    ending->keepProfiles(profiles);
+    ending->setBackground(&background);
+    ending->keep(motor);
+    const QString file = QString::fromStdString(background.lane());
+    ending.reset();
+    background.release();
+    EXPECT_TRUE(QFile::exists(file));
 }
 
 } // namespace

@@ -404,6 +404,37 @@ TEST_F(Stream, EndsAGlideWithTheMotion)
     expectEnded(StreamEnd::LeaseExpired);
 }
 
+TEST_F(Stream, AStartWhileItRunsIsANewTargetAndAnIllegalOneChangesNothing)
+{
+    drive(400ms);
+    clock.advance(300ms);
+    ASSERT_TRUE(stream->start(duty(0.6), 400ms));
+    EXPECT_EQ(stream->setPoint().target, 0.6);
+    clock.advance(300ms);
+    EXPECT_TRUE(stream->isRunning()) << "it was renewed";
+    EXPECT_FALSE(stream->start(duty(7.0), 400ms));
+    EXPECT_EQ(stream->setPoint().target, 0.6);
+    clock.advance(101ms);
+    expectEnded(StreamEnd::LeaseExpired);
+}
+
+TEST_F(Stream, IsNotStartedOnceItsUserHasCalledItOff)
+{
+    bool calledOff = true;
+    stream->setCalledOff(&calledOff);
+    const auto started = stream->start(duty(0.3), 1s);
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().fault, Fault::Cancelled);
+    EXPECT_EQ(started.error().text(), "the user stopped it");
+    EXPECT_FALSE(stream->isRunning());
+    SetPoint off;
+    off.mode = Mode::Off;
+    EXPECT_TRUE(stream->start(off, 1s)) << "a stop is always allowed";
+    stream->stop();
+    calledOff = false;
+    EXPECT_TRUE(stream->start(duty(0.3), 1s));
+}
+
 TEST_F(Stream, StopsTheMotorWithItsOwnEnd)
 {
     drive();

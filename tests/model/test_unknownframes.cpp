@@ -59,3 +59,20 @@ TEST(UnknownFrames, AFloodOfIdentifiersStaysExact)
         unknown.take(extendedFrame(0x18000000 + i, {}));
     EXPECT_EQ(unknown.count(), 50'000U);
 }
+
+TEST(UnknownFrames, ARequestForAFrameIsNotThatFrame)
+{
+    UnknownFrames unknown(families());
+    const CanFrame ours = extendedFrame(0x02061405, {0x00, 0x40, 0x11, 0, 0, 0, 0, 0});
+    CanFrame request = ours;
+    request.remote = true;
+    for (int i = 0; i < 3; ++i) {
+        unknown.take(ours);
+        unknown.take(request);
+    }
+    EXPECT_EQ(unknown.count(), 3U);
+    CanFrame shorter = ours;
+    shorter.size = 3;
+    unknown.take(shorter);
+    EXPECT_EQ(unknown.count(), 4U) << "nor is a part of it";
+}

@@ -147,6 +147,27 @@ TEST(WriteOrder, ALimitThatGoesIsAmongTheLastAlsoWhereNobodyKnowsWhatWas)
     EXPECT_EQ(writeRank(table[Steepest], {{Steepest}, std::nullopt, 7}), 0);
 }
 
+TEST(WriteOrder, EveryKindOfChangeHasItsPlaceBetweenTheOthers)
+{
+    const auto rank = [](Row which, std::optional<std::int64_t> from, std::int64_t to) {
+        return writeRank(table[which], {{which}, from, to});
+    };
+    EXPECT_EQ(rank(Threshold, 5, 4), 0);
+    EXPECT_EQ(rank(Enabled, 0, 1), 1);
+    EXPECT_EQ(rank(I, 5, 4), 2);
+    EXPECT_EQ(rank(P, 5, 4), 3);
+    EXPECT_EQ(rank(D, 4, 5), 4);
+    EXPECT_EQ(rank(Threshold, 4, 5), 5);
+    EXPECT_EQ(rank(Enabled, 1, 0), 6);
+    EXPECT_EQ(rank(Name, 4, 5), 7);
+    EXPECT_EQ(rank(D, 5, 4), 8);
+    EXPECT_EQ(rank(P, 4, 5), 9);
+    EXPECT_EQ(rank(I, 4, 5), 10);
+    EXPECT_EQ(rank(Position, 4, 5), 11);
+    EXPECT_EQ(rank(P, std::nullopt, 1), 9) << "it may be more";
+    EXPECT_EQ(rank(P, -5, 4), 3) << "the amount counts";
+}
+
 TEST(WriteOrder, SetsLimitsBeforeGainsWhereNothingIsKnown)
 {
     Family family{};

@@ -34,10 +34,12 @@ public:
         Timer look(m_clock);
         while (!done() && !late) {
             look.startIn(std::chrono::milliseconds(5), [] {});
-            QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+            turn();
         }
         return done();
     }
+    /// Waits until something is to be served, and serves what is, each once.
+    static void turn() { QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents); }
     /// Serves what is at hand: everything that was ready before this call has run when it returns.
     void runReady()
     {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the kernel says of a CAN interface (RTM_NEWLINK, linux/can/netlink.h), made here byte by byte, so that no CAN is needed.
+#include "netlinkbytes.h"
 #include "transport/backends/caninterface.h"
-#include "transport/backends/netlink.h"
 #include "transport/linkcatalog.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <linux/can/netlink.h>
@@ -17,65 +18,19 @@
 namespace mb {
 namespace {
 
-using NetlinkBytes = std::vector<std::byte>;
-
-template <class T> NetlinkBytes rawBytes(const T &value)
-{
-    NetlinkBytes bytes(sizeof value);
-    std::memcpy(bytes.data(), &value, sizeof value);
-    return bytes;
-}
-
-NetlinkBytes nameBytes(std::string_view name)
-{
-    NetlinkBytes bytes(name.size() + 1);
-    std::memcpy(bytes.data(), name.data(), name.size());
-    return bytes;
-}
-
-NetlinkBytes joined(const std::vector<NetlinkBytes> &parts)
-{
-    NetlinkBytes all;
-    for (const NetlinkBytes &part : parts)
-        all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
-NetlinkBytes attribute(int type, const NetlinkBytes &content)
-{
-    rtattr head{};
-    head.rta_len = static_cast<unsigned short>(sizeof head + content.size());
-    head.rta_type = static_cast<unsigned short>(type);
-    NetlinkBytes bytes = joined({rawBytes(head), content});
-    bytes.resize(netlink::aligned(bytes.size()));
-    return bytes;
-}
-
-NetlinkBytes interfaceMessage(unsigned flags, const std::vector<NetlinkBytes> &attributes, int hardware = ARPHRD_CAN)
-{
-    ifinfomsg link{};
-    link.ifi_type = static_cast<unsigned short>(hardware);
-    link.ifi_index = 7;
-    link.ifi_flags = flags;
-    return joined({rawBytes(link), joined(attributes)});
-}
-
-NetlinkBytes kindOf(std::string_view kind, const std::vector<NetlinkBytes> &data = {})
-{
-    return attribute(
-        IFLA_LINKINFO, joined({attribute(IFLA_INFO_KIND, nameBytes(kind)), attribute(IFLA_INFO_DATA, joined(data))}));
-}
+using test::attribute;
+using test::interfaceMessage;
+using test::joined;
+using test::kindOf;
+using test::named;
+using test::NetlinkBytes;
+using test::rawBytes;
 
 CanInterface interfaceOf(const std::vector<NetlinkBytes> &attributes, unsigned flags = IFF_UP)
 {
     const auto interface = canInterfaceFrom(interfaceMessage(flags, attributes));
     EXPECT_TRUE(interface);
     return interface.value_or(CanInterface{});
-}
-
-NetlinkBytes named(std::string_view name)
-{
-    return attribute(IFLA_IFNAME, nameBytes(name));
 }
 
 TEST(CanInterfaceMessage, TellsEverythingOfAController)

@@ -52,6 +52,8 @@ using Answers = std::map<unsigned long, std::function<int(void *)>>;
 
 Answers *drivers = nullptr;    ///< by request; the kernel answers every other
 gpiod_chip *chipOne = nullptr; ///< "gpiochip1"
+int openChips = 0;
+int lineCause = EBUSY; ///< of one that is used
 
 template <class Refused> Refused refuse(int cause, Refused refused)
 {
@@ -87,9 +89,15 @@ gpiod_chip *gpiod_chip_iter_next(gpiod_chip_iter *all)
 void gpiod_chip_iter_free(gpiod_chip_iter *) { }
 gpiod_chip *gpiod_chip_open_lookup(const char *name)
 {
-    return chipOne && name == std::string("gpiochip1") ? chipOne : refuse<gpiod_chip *>(ENOENT, nullptr);
+    if (!chipOne || name != std::string("gpiochip1"))
+        return refuse<gpiod_chip *>(ENOENT, nullptr);
+    ++openChips;
+    return chipOne;
 }
-void gpiod_chip_close(gpiod_chip *) { }
+void gpiod_chip_close(gpiod_chip *)
+{
+    --openChips;
+}
 const char *gpiod_chip_name(gpiod_chip *)
 {
     return "gpiochip1";
@@ -112,13 +120,13 @@ bool gpiod_line_is_used(gpiod_line *line)
 }
 int gpiod_line_request_both_edges_events(gpiod_line *line, const char *)
 {
-    return line->isUsed ? refuse(EBUSY, -1) : ::pipe(line->edges.data());
+    return line->isUsed ? refuse(lineCause, -1) : ::pipe(line->edges.data());
 }
 int gpiod_line_request_output_flags(gpiod_line *line, const char *, int flags, int level)
 {
     line->flags = flags;
     line->level = level == 1;
-    return line->isUsed ? refuse(EBUSY, -1) : 0;
+    return line->isUsed ? refuse(lineCause, -1) : 0;
 }
 void gpiod_line_release(gpiod_line *line)
 {
@@ -256,6 +264,39 @@ TEST_F(PlayedSpi, ATransferThatFailsLosesTheLink)
     EXPECT_EQ(link->state(), LinkState::Lost);
 }
 
+TEST_F(PlayedSpi, EachCauseHasItsRemedyWhetherItIsOpenedOrUsed)
+{
+    const auto none = SpidevLink::make(*LinkAddress::parse("spidev:/dev/mbnone0.0"), clock).value()->open();
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().ailment, Ailment::NotThere);
+    EXPECT_EQ(none.error().text(),
+        "there is no /dev/mbnone0.0; enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart");
+    const auto link = made("speed=250000");
+    const auto lossBy = [&](int cause) {
+        EXPECT_TRUE(link->open());
+        answers[SPI_IOC_MESSAGE(1)] = [cause](void *) { return refuse(cause, -1); };
+        EXPECT_EQ(exchange(*link, {1}).error().fault, Fault::LinkLost);
+        return std::pair(link->loss().text(), link->loss().ailment);
+    };
+    EXPECT_EQ(lossBy(EBUSY), std::pair(std::string("/dev/null is used by another program"), Ailment::Busy));
+    EXPECT_EQ(lossBy(EACCES),
+        std::pair(
+            std::string("no permission to use /dev/null; become a member of its group: sudo usermod -aG spi $USER"),
+            Ailment::NoPermission));
+    EXPECT_EQ(lossBy(EIO), std::pair(std::string("/dev/null: Input/output error"), Ailment::None));
+}
+
+TEST_F(PlayedSpi, TellsTheGuardianItsDescriptorWhileItIsOpen)
+{
+    const auto link = made("speed=250000");
+    EXPECT_FALSE(link->outlet().isInheritable());
+    ASSERT_TRUE(link->open());
+    EXPECT_EQ(link->outlet().form, Outlet::Form::SpiDevice);
+    EXPECT_GE(link->outlet().descriptor, 0);
+    link->close();
+    EXPECT_FALSE(link->outlet().isInheritable());
+}
+
 TEST_F(PlayedSpi, KnowsItsReadyLineFromTheBeginningAndHearsEveryEdge)
 {
     for (const bool first : {true, false}) {
@@ -300,6 +341,11 @@ TEST_F(PlayedSpi, ALineThatIsNotThereOrIsUsedFailsToOpenWithItsName)
         EXPECT_EQ(causeOf("gpiochip7:1"), "there is no GPIO chip for gpiochip7:1; gpiodetect lists those there are");
         EXPECT_EQ(causeOf("gpiochip1:3"), "GPIO line gpiochip1:3: Invalid argument");
         EXPECT_EQ(causeOf("25"), "a GPIO line is CHIP:LINE, as in gpiochip0:25, not '25'");
+        lineCause = EACCES;
+        EXPECT_EQ(causeOf("gpiochip1:1"),
+            "no permission to use gpiochip1:1; become a member of its group: sudo usermod -aG gpio $USER");
+        lineCause = EBUSY;
+        EXPECT_EQ(openChips, 0) << "nothing stays open of what was refused";
     }
 }
 
@@ -343,6 +389,88 @@ TEST_F(PlayedUart, CountsWhatItsDriverCountedSinceItWasOpened)
         EXPECT_EQ(link->counters().errors, 2U);
         EXPECT_EQ(link->counters().lost, 3U);
     }
+}
+
+TEST_F(PlayedUart, IsLookedAtOnceASecondWhileBytesCome)
+{
+    VirtualClock clock;
+    serial_icounter_struct counted{};
+    tell(TIOCGICOUNT, counted);
+    auto made = makeSerialPortLink(LinkAddress::parse("serial:" + terminal.path()).value(), clock);
+    ASSERT_TRUE(made && (*made)->open());
+    Link &link = **made;
+    counted.frame = 3;
+    const auto hear = [&] {
+        const std::uint64_t before = link.counters().rx;
+        terminal.write({1});
+        EXPECT_TRUE(loop.runUntil([&] { return link.counters().rx > before; }));
+        return link.counters().errors;
+    };
+    clock.advance(1s - 1ns);
+    EXPECT_EQ(hear(), 0U);
+    clock.advance(1ns);
+    EXPECT_EQ(hear(), 3U);
+    counted.frame = 4;
+    EXPECT_EQ(hear(), 3U) << "not for every byte";
+}
+
+TEST_F(PlayedUart, HandsOverItsBytesAtOnceWhereItsDriverCan)
+{
+    serial_struct now{};
+    now.flags = ASYNC_SPD_HI;
+    now.baud_base = 24'000'000;
+    serial_struct set{};
+    tell(TIOCGSERIAL, now);
+    take(TIOCSSERIAL, set);
+    const auto link = opened("");
+    EXPECT_EQ(set.flags, ASYNC_SPD_HI | ASYNC_LOW_LATENCY);
+    EXPECT_EQ(set.baud_base, 24'000'000);
+}
+
+/// As <asm/termbits.h> has it, which does not go together with <termios.h>.
+struct Termios2 {
+    std::array<std::uint32_t, 4> flags{};
+    std::array<std::uint8_t, 20> line{};
+    std::uint32_t inRate = 0;
+    std::uint32_t outRate = 0;
+};
+constexpr unsigned long getTermios2 = _IOR('T', 0x2A, Termios2);
+constexpr unsigned long setTermios2 = _IOW('T', 0x2B, Termios2);
+
+TEST_F(PlayedUart, ARateThatItCannotDoIsRefusedWithTheNearestAndTheOneBeforeIsKept)
+{
+    Termios2 has;
+    std::vector<std::uint32_t> asked;
+    std::int64_t off = 0;
+    tell(getTermios2, has);
+    answers[setTermios2] = [&](const void *from) {
+        std::memcpy(&has, from, sizeof has);
+        asked.push_back(has.outRate);
+        has.outRate = static_cast<std::uint32_t>(has.outRate + off);
+        return 0;
+    };
+    const auto link = opened("?baud=9600");
+    EXPECT_EQ(asked, std::vector<std::uint32_t>{9600});
+    const std::string name = link->address().shortName();
+    off = 2304; // of 115200 two per cent
+    EXPECT_TRUE(link->setBaudrate(115200));
+    off = -2305;
+    auto refused = link->setBaudrate(115201);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_EQ(refused.error().text(), name + " cannot do 115201 bit/s; the nearest it can is 112896");
+    EXPECT_EQ(link->baudrate(), 115200);
+    EXPECT_EQ(asked, (std::vector<std::uint32_t>{9600, 115200, 115201, 115200}));
+    asked.clear();
+    answers[setTermios2] = [](const void *) { return refuse(EINVAL, -1); };
+    refused = link->setBaudrate(57600);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().text(), name + " cannot do 57600 bit/s: Invalid argument");
+    link->close();
+    const auto again = link->open();
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().fault, Fault::LinkLost);
+    EXPECT_EQ(again.error().text(), name + " cannot do 115200 bit/s: Invalid argument");
 }
 
 TEST_F(PlayedUart, WhoseDriverSwitchesRs485IsAskedToAndHasNoRemark)

@@ -50,6 +50,27 @@ TEST(LinkCatalog, RefusesOptionsAndPathsThatAKindDoesNotHave)
     }
 }
 
+TEST(LinkCatalog, SaysWhatIsWrongWithAnAddress)
+{
+    VirtualClock clock;
+    const auto refusal = [&clock](const LinkAddress &address) {
+        const auto link = createLink(address, clock);
+        return link ? std::string() : link.error().text();
+    };
+    const auto parsed = [](const char *text) { return LinkAddress::parse(text).value(); };
+    EXPECT_EQ(refusal(parsed("socketcan:can0?bitrate=5")), "socketcan links have no option 'bitrate'");
+    EXPECT_EQ(refusal(parsed("unix:./board?pace=1")), "unix links have no option 'pace'");
+    EXPECT_EQ(refusal(parsed("unix:./board")), "");
+    EXPECT_EQ(refusal(parsed("pty:./tty0")),
+        "pty: is where 'simulate' puts its devices; open that terminal as serial:./tty0");
+    EXPECT_EQ(refusal(parsed("spidev:/dev/spidev0.0?bitrate=5")),
+        "spidev links have no option 'bitrate'; speed, ready and reset are known");
+    EXPECT_EQ(refusal(parsed("sim:can")), "simulated links belong to a bench");
+    EXPECT_EQ(refusal({"pigeon", "grey", {}}), "pigeon links are not supported yet");
+    EXPECT_EQ(createLink(parsed("unix:./board"), clock).value()->kind(), LinkKind::Spi);
+    EXPECT_EQ(createLink(parsed("socketcan:can0"), clock).value()->kind(), LinkKind::Can);
+}
+
 TEST(LinkCatalog, ASpiBusHasTenKilohertzToTenMegahertz)
 {
     VirtualClock clock;

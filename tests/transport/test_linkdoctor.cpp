@@ -91,6 +91,70 @@ TEST(LinkDoctor, OfALostLinkTheInterfaceSaysWhy)
     EXPECT_EQ(diagnose(link, now, std::nullopt, false).command, "") << "no command reaches a simulated bus";
 }
 
+TEST(LinkDoctor, ALostLinkOfWhichNothingElseIsKnownIsOpenedAgainOrBroughtUp)
+{
+    LinkSymptoms link = working();
+    link.state = LinkState::Lost;
+    link.loss = Error{Fault::LinkLost};
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false),
+        (Diagnosis{Ailment::Failed, say("can0 is not open"), say("reconnect"), {}}));
+    link.loss = {Fault::LinkLost, say("can0 was switched off"), {}, {}, Ailment::Down};
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false),
+        (Diagnosis{Ailment::Down, say("can0 was switched off"), say("bring it up"), "sudo ip link set can0 up"}))
+        << "it was up, so it has its bit rate";
+    link.loss.command = "sudo ifup can0";
+    link.loss.remedy = say("ask who set it up");
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false),
+        (Diagnosis{Ailment::Down, say("can0 was switched off"), say("ask who set it up"), "sudo ifup can0"}));
+    link.loss = {Fault::LinkLost, say("can0 is gone"), {}, {}, Ailment::Gone};
+    EXPECT_EQ(
+        diagnose(link, now, Diagnosis{}, false), (Diagnosis{Ailment::Gone, say("can0 is gone"), say("reconnect"), {}}));
+    link.health.state = BusState::BusOff;
+    link.kind = LinkKind::Serial;
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false).ailment, Ailment::Gone) << "no bus, no state of one";
+}
+
+TEST(LinkDoctor, OfALinkThatIsClosedOrNotOfCanNothingIsWrong)
+{
+    LinkSymptoms link = working();
+    link.listenOnly = true;
+    EXPECT_EQ(ailment(link), Ailment::ListenOnly);
+    link.state = LinkState::Closed;
+    EXPECT_EQ(ailment(link), Ailment::None);
+    link.state = LinkState::Open;
+    link.kind = LinkKind::Serial;
+    EXPECT_EQ(ailment(link), Ailment::None);
+}
+
+TEST(LinkDoctor, WhatWasThreeSecondsAgoIsOverAndASecondIsTooLongToBeStuck)
+{
+    LinkSymptoms link = working();
+    link.health.lastReceived = now - 10s;
+    link.health.lastAcknowledgeError = now - 3s + 1ns;
+    EXPECT_EQ(ailment(link), Ailment::NobodyAcknowledges);
+    link.health.lastAcknowledgeError = now - 3s;
+    EXPECT_EQ(ailment(link), Ailment::None);
+    link.health.lastProtocolError = now - 3s + 1ns;
+    EXPECT_EQ(ailment(link), Ailment::WrongBitrate);
+    link.health.lastReceived = now - 3s;
+    EXPECT_EQ(ailment(link), Ailment::WrongBitrate);
+    link.health.lastReceived = now - 3s + 1ns;
+    EXPECT_EQ(ailment(link), Ailment::None);
+    link.health.lastReceived = now;
+    link.backlog = 1;
+    link.health.stuckSince = now - 1s;
+    EXPECT_EQ(ailment(link), Ailment::Busy);
+    link.health.stuckSince = now - 1s + 1ns;
+    EXPECT_EQ(ailment(link), Ailment::None);
+    link.counters.lost = 1;
+    link.receiveCapacity = 2000;
+    EXPECT_EQ(ailment(link), Ailment::None);
+    link.receiveCapacity = 1999;
+    EXPECT_EQ(ailment(link), Ailment::Losing);
+    link.receiveCapacity = 0;
+    EXPECT_EQ(ailment(link), Ailment::None) << "it is not known";
+}
+
 TEST(LinkDoctor, NobodyAcknowledgesUntilSomebodyIsHeard)
 {
     LinkSymptoms link = working();
@@ -204,6 +268,30 @@ TEST(LinkDoctor, AFailedOpeningHasItsPartsFromWhereItFailed)
     EXPECT_EQ(diagnose(errorOf(port)), port);
     EXPECT_EQ(diagnose(Error{Fault::LinkLost, say("there is no permission in these words")}).ailment, Ailment::Failed)
         << "no word decides it";
+}
+
+TEST(LinkDoctor, ItsCommandsAreThoseOfIproute2)
+{
+    EXPECT_EQ(bringUpCommand("can0", false, 1), "sudo ip link set can0 up");
+    EXPECT_EQ(bringUpCommand("can0", true, 125'000), "sudo ip link set can0 up type can bitrate 125000");
+    EXPECT_EQ(findBitrateCommand("can0"),
+        "for r in 1000000 500000 250000 125000 800000 100000 50000 20000; do sudo ip link set can0 down; sudo ip link "
+        "set "
+        "can0 up type can bitrate $r listen-only on; timeout 2 candump -n 3 can0 >/dev/null && { echo \"the bit rate "
+        "is "
+        "$r\"; break; }; done; sudo ip link set can0 down; sudo ip link set can0 up type can bitrate $r listen-only "
+        "off");
+    LinkSymptoms link = working();
+    link.health.lastReceived.reset();
+    link.health.lastProtocolError = now;
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false).command,
+        "sudo ip link set can0 down; sudo ip link set can0 up type can bitrate 500000");
+    link.bitrate = 0;
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, false).cause,
+        "only disturbed frames arrive on can0, the bus has another bit rate");
+    link.listenOnly = true;
+    EXPECT_EQ(diagnose(link, now, Diagnosis{}, true).command,
+        "sudo ip link set can0 down; sudo ip link set can0 up type can bitrate 1000000 listen-only off");
 }
 
 TEST(LinkDoctor, BitRatesReadWell)

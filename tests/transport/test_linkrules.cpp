@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,9 +36,15 @@ public:
     int closings = 0;
     std::vector<std::string> sent;
     Result<void> opening;
+    std::function<void()> whileOpening;
 
 private:
-    Result<void> doOpen() override { return opening; }
+    Result<void> doOpen() override
+    {
+        if (whileOpening)
+            whileOpening();
+        return opening;
+    }
     void doClose() override { ++closings; }
     [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, 7}; }
     Result<void> doSend(const CanFrame &frame, Priority) override
@@ -250,6 +257,39 @@ TEST_F(CanRules, ALinkThatIsClosedForAReasonIsALostOne)
     link.opening = fail(Fault::LinkLost, say("there is none"));
     EXPECT_FALSE(link.open());
     EXPECT_EQ(link.state(), LinkState::Closed);
+}
+
+TEST_F(CanRules, AnotherAdapterThatTakesItsNameWhileItIsOpenedIsNotOpened)
+{
+    std::string place = "usb:1/can";
+    link.close();
+    link.settings().identify = [&place](const LinkAddress &) { return place; };
+    BareCan other(clock);
+    other.settings().identify = link.settings().identify;
+    ASSERT_TRUE(other.open());
+    EXPECT_EQ(other.line(), "usb:1/can");
+    other.close();
+    const int before = other.closings;
+    other.whileOpening = [&place] { place = "usb:2/can"; };
+    const auto opened = other.open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().fault, Fault::LinkLost);
+    EXPECT_EQ(opened.error().text(),
+        "another adapter is called can7 now; close the link, and open it again to see who is there");
+    EXPECT_EQ(other.closings, before + 1);
+    EXPECT_EQ(other.state(), LinkState::Closed);
+    EXPECT_EQ(other.line(), "usb:1/can");
+}
+
+TEST_F(CanRules, WhoWritesToItsDescriptorIsToldOfOneThatIs)
+{
+    EXPECT_EQ(link.outlet().form, Outlet::Form::CanSocket);
+    EXPECT_EQ(link.outlet().descriptor, 7);
+    EXPECT_TRUE(link.outlet().isInheritable());
+    const BareSerial simulated("sim:serial", clock);
+    EXPECT_EQ(simulated.outlet().form, Outlet::Form::InProcess);
+    EXPECT_EQ(simulated.outlet().descriptor, -1);
+    EXPECT_FALSE(simulated.outlet().isInheritable());
 }
 
 // Serial lines

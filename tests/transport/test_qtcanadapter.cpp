@@ -4,6 +4,7 @@
 #include "support/eventloop.h"
 #include "transport/backends/qtcanbus.h"
 #include "transport/canlink.h"
+#include "transport/linkcatalog.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include <QCanBusFrame>
 #include <QCborMap>
 #include <QPointer>
+#include <QString>
 #include <QtGlobal>
 #include <QtPlugin>
 
@@ -61,13 +63,17 @@ public:
     void unplug() { setState(UnconnectedState); }
 
     bool isFull = false;
+    bool isWithoutPower = false;
     int settings = 0;
 
 private:
     bool open() override
     {
-        setState(ConnectedState);
-        return true;
+        if (isWithoutPower)
+            setError(QStringLiteral("it has no power"), ConnectionError);
+        else
+            setState(ConnectedState);
+        return !isWithoutPower;
     }
     void close() override { setState(UnconnectedState); }
 };
@@ -87,13 +93,20 @@ public:
     }
     QCanBusDevice *createDevice(const QString &interface, QString *cause) const override
     {
-        if (interface != QLatin1String("one")) {
+        if (interface != QLatin1String("one") && interface != QLatin1String("dark")) {
             *cause = QStringLiteral("no such adapter");
             return nullptr;
         }
-        return played = new PlayedAdapter;
+        played = new PlayedAdapter;
+        played->isWithoutPower = interface == QLatin1String("dark");
+        return played;
     }
-    QList<QCanBusDeviceInfo> availableDevices(QString *) const override { return {}; }
+    QList<QCanBusDeviceInfo> availableDevices(QString *cause) const override
+    {
+        *cause = finding;
+        return {};
+    }
+    inline static QString finding; ///< what it says where it has none
 };
 
 QObject *playedPlugin()
@@ -154,6 +167,29 @@ struct QtCanAdapterPlayed : testing::Test {
 
 using Identifiers = std::vector<quint32>;
 
+TEST_F(QtCanAdapterPlayed, APluginThatFindsNoAdapterHasARowWithTheCauseAndTheRemedy)
+{
+    const auto row = [](const QString &finding) {
+        PlayedPlugin::finding = finding;
+        for (const LinkListing &each : listPluginLinks()) {
+            if (each.link.text() == "qtcan:played")
+                return each;
+        }
+        return LinkListing{};
+    };
+    const LinkListing silent = row({});
+    EXPECT_EQ(silent.state, "absent");
+    EXPECT_FALSE(silent.openable);
+    EXPECT_EQ(silent.kind, LinkKind::Can);
+    EXPECT_EQ(silent.diagnosis,
+        (Diagnosis{Ailment::NotThere, say("the plugin %1 finds no adapter", "played"), say("plug one in"), {}}));
+    EXPECT_EQ(silent.detail.english(), "the plugin played finds no adapter; plug one in");
+    const std::string missing
+        = "the plugin played finds no adapter (Cannot load library pcan); install its vendor's driver";
+    EXPECT_EQ(row(QStringLiteral("Cannot load library pcan: (no such file: pcan)")).detail.english(), missing);
+    EXPECT_EQ(row(QStringLiteral("Cannot load library pcan")).detail.english(), missing);
+}
+
 TEST_F(QtCanAdapterPlayed, HasTheBitrateOfItsAddressAndWithoutOneKeepsItsOwn)
 {
     EXPECT_EQ(link->bitrate(), ownBitrate);
@@ -169,6 +205,11 @@ TEST_F(QtCanAdapterPlayed, OneThatCannotBeMadeIsNamedWithTheCause)
     const auto opened = made("two")->open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().text(), "played:two cannot be opened: no such adapter");
+    const auto dark = made("dark");
+    const auto refused = dark->open();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().text(), "played:dark cannot be opened: it has no power");
+    EXPECT_TRUE(played.isNull()) << "nothing is kept of it";
 }
 
 TEST_F(QtCanAdapterPlayed, StampsCountWhereTheyAreFinerThanMilliseconds)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "support/heldbackground.h"
 #include "support/temporaryfile.h"
 #include "transport/backends/replay.h"
 #include "transport/linkcatalog.h"
@@ -100,6 +101,108 @@ TEST(Replay, HasItsSpeedFromTheAddress)
         EXPECT_EQ(std::chrono::duration<double>(replay.clock.now().time_since_epoch()).count(), seconds) << option;
         EXPECT_EQ(replay.frames.back().time, Instant(began + 10s));
     }
+}
+
+TEST(Replay, ItsPaceIsChangedWhileItRunsAndWhileItStands)
+{
+    Replay replay;
+    ASSERT_TRUE(replay.opened);
+    ASSERT_TRUE(replay.link->setPace(4.0));
+    EXPECT_EQ(replay.link->replay().pace, 4.0);
+    replay.clock.advance(10s);
+    EXPECT_FALSE(replay.link->replay().running) << "another pace lets nothing play";
+    EXPECT_EQ(replay.link->replay().position, 0s);
+    replay.link->play();
+    replay.clock.advance(125ms);
+    EXPECT_EQ(replay.link->replay().position, 500ms);
+    ASSERT_TRUE(replay.link->setPace(0.5));
+    replay.clock.advance(1s - 1ns);
+    EXPECT_EQ(replay.passed.size(), 3U);
+    replay.clock.advance(1ns);
+    EXPECT_EQ(replay.passed.size(), 4U);
+    EXPECT_EQ(replay.link->replay().position, 1s);
+    for (const double good : {0.01, 1000.0, 0.0})
+        EXPECT_TRUE(replay.link->setPace(good)) << good;
+    replay.clock.advance(1ns);
+    EXPECT_EQ(replay.ends, 1) << "as fast as possible";
+    for (const auto &[bad, text] : {std::pair{0.0099, "0.009900"}, {1000.1, "1000.100000"}, {-1.0, "-1.000000"}}) {
+        const auto refused = replay.link->setPace(bad);
+        ASSERT_FALSE(refused) << text;
+        EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(refused.error().text(), "speed=" + std::string(text) + " is no speed; legal is 0.01 … 1000, or max");
+    }
+    EXPECT_EQ(replay.link->replay().pace, 0.0);
+}
+
+TEST(Replay, OneThatIsClosedTellsNothingAndLeavesNoTimer)
+{
+    std::string text = "(1436509052.000000) can1 123#01\n";
+    while (text.size() < 600'000)
+        text += "(1436509053.000000) can0 02061405#0040110000000000\n";
+    Replay replay(text, "?interface=can1");
+    ASSERT_TRUE(replay.opened);
+    replay.link->play();
+    replay.clock.step();
+    EXPECT_TRUE(replay.link->replay().running) << "the next piece is read";
+    replay.link->close();
+    EXPECT_EQ(replay.clock.armed(), 0U);
+    EXPECT_EQ(replay.link->replay(), ReplayState{});
+    EXPECT_TRUE(replay.link->remark().empty());
+    EXPECT_EQ(replay.link->seek(0s).error().text(), "run.log is not open");
+    EXPECT_EQ(replay.link->survey([](const LoggedFrame &) {}).error().text(), "run.log is not open");
+    replay.link->play();
+    replay.clock.advance(1h);
+    EXPECT_EQ(replay.frames.size(), 1U);
+    ASSERT_TRUE(replay.link->open());
+    EXPECT_FALSE(replay.link->replay().running) << "it stands, whatever was under way";
+    replay.link->play();
+    replay.clock.advance(1h);
+    EXPECT_EQ(replay.frames.size(), 2U);
+    EXPECT_EQ(replay.ends, 1) << "nothing more of can1, to the last piece";
+    EXPECT_TRUE(replay.link->replay().ended);
+}
+
+TEST(Replay, IsOpenedInTheBackgroundAndNotWaitedForWhenItsDiskHangs)
+{
+    const Replay replay;
+    VirtualClock clock;
+    test::HeldBackground background;
+    const auto made = [&](const std::string &name) {
+        auto link = ReplayLink::create(*LinkAddress::parse("replay:" + replay.folder.path(name)), clock).value();
+        link->settings().background = &background;
+        return link;
+    };
+    const auto begin = [&](ReplayLink &link) {
+        Task<void> opening = link.openSoon();
+        opening.start();
+        clock.advance(Link::openLimit - 1ns);
+        EXPECT_FALSE(opening.isFinished());
+        EXPECT_EQ(background.waiting(), 1U);
+        EXPECT_EQ(background.lane(), link.address().path);
+        return opening;
+    };
+    const auto good = made("run.log");
+    Task<void> opening = begin(*good);
+    background.release();
+    clock.advance(0ns);
+    EXPECT_TRUE(opening.isFinished());
+    EXPECT_EQ(good->state(), LinkState::Open);
+    EXPECT_EQ(good->replay().start, began);
+    const auto missing = made("none.log");
+    opening = begin(*missing);
+    background.release();
+    clock.advance(0ns);
+    ASSERT_TRUE(opening.isFinished());
+    EXPECT_EQ(opening.result().error().text(), replay.folder.path("none.log") + ": no such file; check the path");
+    const auto late = made("run.log");
+    opening = begin(*late);
+    clock.advance(1ns);
+    ASSERT_TRUE(opening.isFinished());
+    EXPECT_EQ(opening.result().error().fault, Fault::LinkLost);
+    EXPECT_EQ(
+        opening.result().error().text(), "the disk of run.log does not answer; copy the recording to another one");
+    background.release();
+    EXPECT_EQ(late->state(), LinkState::Closed);
 }
 
 TEST(Replay, SeeksToTheFirstFrameAtOrAfterAPosition)
@@ -261,6 +364,10 @@ TEST(Replay, SaysWhyAFileCannotBePlayed)
     EXPECT_EQ(refusal(here + "/none.log").fault, Fault::LinkLost);
     EXPECT_NE(refusal(here + "/none.log").text().find("no such file; "), std::string::npos);
     EXPECT_EQ(refusal(here).fault, Fault::OutOfRange);
+    std::filesystem::create_symlink("round.log", replay.folder.path("round.log"));
+    EXPECT_EQ(refusal(here + "/round.log").text(),
+        replay.folder.path() + "/round.log: cannot be read (system error 40); check the disk");
+    EXPECT_EQ(refusal(here + "/run.log/x").ailment, Ailment::NotThere);
     replay.folder.write("empty.log", "");
     EXPECT_NE(refusal(here + "/empty.log").text().find("has no frame in it; "), std::string::npos);
     replay.folder.write("text.log", "Dear diary\n");

@@ -292,6 +292,27 @@ TEST(EchoFilter, LetsAnAnswerThroughWhenTheEchoNeverCame)
     EXPECT_EQ(others, (Bytes{1, 2, 5}));
 }
 
+TEST_F(SerialPort, AnEchoIsAwaitedForATenthOfASecondAfterItsLastByte)
+{
+    VirtualClock clock;
+    auto made
+        = makeSerialPortLink(LinkAddress::parse("serial:" + terminal.path() + "?echo=1&baud=1000").value(), clock);
+    ASSERT_TRUE(made && (*made)->open());
+    auto &link = static_cast<SerialLink &>(**made);
+    received = link.received().add(
+        [this](std::span<const std::uint8_t> bytes) { heard.insert(heard.end(), bytes.begin(), bytes.end()); });
+    clock.advance(1s);
+    for (const Duration late : {0ns, 1ns}) {
+        ASSERT_TRUE(link.send(Bytes{1, 2, 3}));
+        clock.advance(30ms + 100ms + late);
+        terminal.write({1, 2, 3, 9});
+        ASSERT_TRUE(loop.runUntil([this] { return !heard.empty(); }));
+        EXPECT_EQ(heard, late == 0ns ? Bytes{9} : (Bytes{1, 2, 3, 9}));
+        heard.clear();
+        clock.advance(1s);
+    }
+}
+
 TEST_F(SerialPort, APortThatGoesAwayInMidFrameIsLostWithItsRemedyAndWhatCameBeforeIsThere)
 {
     const auto link = open();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <numeric>
 
@@ -81,6 +82,20 @@ TEST_F(VirtualSerial, LongPiecesComeInFifoLoadsAndPiecesFollowEachOtherWithoutAG
     ASSERT_EQ(b.times.size(), 4U);
     for (const auto &[index, bytes] : {std::pair{0U, 16}, {1U, 32}, {2U, 40}, {3U, 41}})
         EXPECT_EQ(b.times[index], Instant{} + bytesAt(bytes, 115200)) << index;
+}
+
+TEST_F(VirtualSerial, ACorruptPieceDiffersInOneBitWhicheverItIs)
+{
+    line.setCorruption(1.0);
+    std::uint8_t seen = 0;
+    for (int i = 0; i < 200; ++i) {
+        ASSERT_TRUE(a.link->send(Bytes{0x5A}));
+        finish();
+        const auto changed = static_cast<std::uint8_t>(b.heard.back() ^ 0x5A);
+        ASSERT_TRUE(std::has_single_bit(changed)) << i;
+        seen |= changed;
+    }
+    EXPECT_EQ(seen, 0xFF);
 }
 
 TEST_F(VirtualSerial, BytesTakeTheTimeOfTheirRateAtEveryRate)

@@ -58,6 +58,28 @@ TEST_F(VirtualSpi, AByteTakes16MicrosecondsAt500Kilohertz)
     EXPECT_EQ(*task.result(), (Bytes{0xFE, 0xFD, 0xFC}));
 }
 
+TEST_F(VirtualSpi, ABoardHasOneMasterAndTheNextOnceThatIsGone)
+{
+    VirtualSpiLink second(*LinkAddress::parse("sim:spi"), clock, slaveLink, 500'000, 1);
+    const auto refused = second.open();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::LinkLost);
+    EXPECT_EQ(refused.error().text(), "the simulated board is in use by another link");
+    link.close();
+    {
+        VirtualSpiLink third(*LinkAddress::parse("sim:spi"), clock, slaveLink, 500'000, 1);
+        EXPECT_TRUE(third.open());
+        EXPECT_FALSE(second.open());
+        third.unplug();
+        EXPECT_FALSE(second.open()) << "lost is not closed";
+    }
+    EXPECT_TRUE(second.open());
+    board.level = true;
+    slaveLink.readyChanged();
+    clock.advance(0us);
+    EXPECT_EQ(second.ready(), true);
+}
+
 TEST_F(VirtualSpi, ItsLoadIsTheShareOfTheClockThatTransfersTake)
 {
     for (int i = 0; i < 300; ++i) { // 40 bytes of 16 us every 10 ms

@@ -125,3 +125,11 @@ TEST(CanError, EveryFrameHasADescription)
     }
     EXPECT_EQ(describe(decodeError(errorFrame(0))), "unknown error");
 }
+
+TEST(CanError, EveryStateHasItsWord)
+{
+    EXPECT_EQ(toString(BusState::Active), "error-active");
+    EXPECT_EQ(toString(BusState::Warning), "error-warning");
+    EXPECT_EQ(toString(BusState::Passive), "error-passive");
+    EXPECT_EQ(toString(BusState::BusOff), "bus-off");
+}

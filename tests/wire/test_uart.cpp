@@ -79,3 +79,10 @@ TEST(Uart, NothingSentIsNothingHeard)
 {
     EXPECT_TRUE(sampledAt({}, 1.0).empty());
 }
+
+TEST(Uart, AFallInTheMomentInWhichAByteEndsBeginsTheNext)
+{
+    // At half the rate the last look at the first byte is in bit 22: low, and the bit before it high, as a start has to be.
+    const std::array<std::uint8_t, 3> sent{0x03, 0x00, 0x01};
+    EXPECT_EQ(sampledAt(sent, 2.0), (std::vector<UartByte>{{0, true}, {0xFC, false}}));
+}

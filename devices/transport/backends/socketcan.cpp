@@ -403,8 +403,6 @@ void SocketCanLink::flush()
         const int cause = writeFrame(m_descriptor, next.frame, next.priority);
         if (cause != 0) {
             m_queue.putBack(next);
-            if (!health().stuckSince)
-                setStuckSince(clock().now());
             if (!tryLater(cause))
                 endLater(socketFailure(address().path, cause));
             return;
