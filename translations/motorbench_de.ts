@@ -2099,6 +2099,10 @@
         <source>Not run: %1</source>
         <translation>Nicht ausgeführt: %1</translation>
     </message>
+    <message>
+        <source>Not started, the page has changed: %1</source>
+        <translation>Nicht begonnen, die Seite hat sich geändert: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -6866,8 +6870,8 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Vorschläge</translation>
     </message>
     <message>
-        <source>found for other limits</source>
-        <translation>unter anderen Grenzen gefunden</translation>
+        <source>to be found anew</source>
+        <translation>werden neu gesucht</translation>
     </message>
 </context>
 <context>
@@ -8956,10 +8960,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Sollwert, Schieber</translation>
     </message>
     <message>
-        <source>Ramp, brake, direction, limits</source>
-        <translation>Rampe, Bremse, Richtung, Grenzen</translation>
-    </message>
-    <message>
         <source>Hide drive options</source>
         <translation>Optionen ausblenden</translation>
     </message>
@@ -8994,6 +8994,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
         <translation>Stoppt den Motor und macht die Stelle, an der er steht, zur Position 0. Er läuft erst mit Start wieder an: ein laufender Motor würde springen.</translation>
+    </message>
+    <message>
+        <source>Drive options</source>
+        <translation>Optionen</translation>
     </message>
 </context>
 <context>
@@ -10963,8 +10967,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Die Verstärkungen neu suchen</translation>
     </message>
     <message>
-        <source>Those that are shown were found for other limits.</source>
-        <translation>Die gezeigten wurden unter anderen Grenzen gefunden.</translation>
+        <source>Those that are shown were found for other limits, or elsewhere.</source>
+        <translation>Die gezeigten wurden unter anderen Grenzen oder an anderer Stelle gefunden.</translation>
     </message>
 </context>
 <context>
@@ -11731,10 +11735,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 was unknown when the file was written</source>
         <translation>%1 war beim Schreiben der Datei unbekannt</translation>
-    </message>
-    <message>
-        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
-        <translation>die Datei ist für die Familie „%1“, das Gerät ist ein %2</translation>
     </message>
     <message>
         <source>the file is empty</source>
@@ -14165,10 +14165,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 ist eine Aufnahme: sie lässt sich beobachten, nicht beschreiben oder ansteuern</translation>
     </message>
     <message>
-        <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 ist eine Aufnahme: ihr Inhalt lässt sich beobachten, nicht ansteuern</translation>
-    </message>
-    <message>
         <source>%1 is busy: it serves one client at a time</source>
         <translation>%1 ist beschäftigt: es bedient einen Partner zugleich</translation>
     </message>
@@ -14997,16 +14993,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>mehr Weg oder Drehzahl erlauben</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive cannot exchange directions</source>
-        <translation>ein Abstract DC Drive kann Richtungen nicht tauschen</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
         <translation>ein Abstract DC Drive hat einen Offset von 0 bis 99, nicht %1</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
-        <translation>ein Abstract DC Drive hat keine Endschalter, also auch keine Endschalter-Überbrückung</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
@@ -17017,10 +17005,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ohne Ready-Leitung wird die Platine 100-mal pro Sekunde gefragt und kann nicht streamen</translation>
     </message>
     <message>
-        <source>without an application its bootloader is silent (scan shows it)</source>
-        <translation>ohne Anwendung schweigt sein Bootloader (eine Suche zeigt es)</translation>
-    </message>
-    <message>
         <source>write %1</source>
         <translation>%1 schreiben</translation>
     </message>
@@ -18921,10 +18905,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>eine freie wählen</translation>
     </message>
     <message>
-        <source>exchange the wires, or the signs of p, i and d</source>
-        <translation>die Leitungen tauschen oder die Vorzeichen von p, i und d</translation>
-    </message>
-    <message>
         <source>lower them, or raise the divisor</source>
         <translation>sie verkleinern oder den Divisor vergrößern</translation>
     </message>
@@ -18975,6 +18955,50 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>take all others off the line and scan it, or use a programmer on the pins</source>
         <translation>alle anderen von der Leitung nehmen und dort suchen, oder ein Programmiergerät an den Stiften nehmen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told to brake or to coast</source>
+        <translation>%1 lässt sich nicht sagen, ob es bremst oder ausläuft</translation>
+    </message>
+    <message>
+        <source>%1 cannot exchange directions</source>
+        <translation>%1 kann Richtungen nicht tauschen</translation>
+    </message>
+    <message>
+        <source>%1 has no limit override</source>
+        <translation>%1 kann Grenzen nicht übergehen</translation>
+    </message>
+    <message>
+        <source>%1 has no ramp of the output in mode &apos;%2&apos;</source>
+        <translation>%1 hat in der Betriebsart &apos;%2&apos; keine Rampe des Ausgangs</translation>
+    </message>
+    <message>
+        <source>docs/bench.md has the options of each family, and what they take</source>
+        <translation>docs/bench.md hat die Optionen jeder Familie und ihre Werte</translation>
+    </message>
+    <message>
+        <source>it is being recorded or replayed</source>
+        <translation>sie wird gerade aufgenommen oder abgespielt</translation>
+    </message>
+    <message>
+        <source>name a notebook that can be written</source>
+        <translation>ein Versuchsbuch nennen, das sich schreiben lässt</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is there twice</source>
+        <translation>die Option &apos;%1&apos; steht zweimal da</translation>
+    </message>
+    <message>
+        <source>seed and bitrate are whole numbers, loss is a fraction below 1</source>
+        <translation>seed und bitrate sind ganze Zahlen, loss ist ein Anteil unter 1</translation>
+    </message>
+    <message>
+        <source>the file is for family &apos;%1&apos;, the device is of &apos;%2&apos;</source>
+        <translation>die Datei ist für die Familie „%1“, das Gerät ist von „%2“</translation>
+    </message>
+    <message>
+        <source>the rest of its disk is left to others</source>
+        <translation>der Rest der Festplatte bleibt anderen überlassen</translation>
     </message>
 </context>
 </TS>

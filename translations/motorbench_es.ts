@@ -2099,6 +2099,10 @@
         <source>Not run: %1</source>
         <translation>No se ejecuta: %1</translation>
     </message>
+    <message>
+        <source>Not started, the page has changed: %1</source>
+        <translation>No se ha iniciado, la página ha cambiado: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -6866,8 +6870,8 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Propuestas</translation>
     </message>
     <message>
-        <source>found for other limits</source>
-        <translation>hallados con otros límites</translation>
+        <source>to be found anew</source>
+        <translation>se buscarán de nuevo</translation>
     </message>
 </context>
 <context>
@@ -8956,10 +8960,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>Consigna, deslizador</translation>
     </message>
     <message>
-        <source>Ramp, brake, direction, limits</source>
-        <translation>Rampa, freno, sentido, límites</translation>
-    </message>
-    <message>
         <source>Hide drive options</source>
         <translation>Ocultar opciones</translation>
     </message>
@@ -8994,6 +8994,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>now %1</source>
         <translation>ahora %1</translation>
+    </message>
+    <message>
+        <source>Drive options</source>
+        <translation>Opciones</translation>
     </message>
 </context>
 <context>
@@ -10963,8 +10967,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Buscar de nuevo las ganancias</translation>
     </message>
     <message>
-        <source>Those that are shown were found for other limits.</source>
-        <translation>Las que se muestran se hallaron con otros límites.</translation>
+        <source>Those that are shown were found for other limits, or elsewhere.</source>
+        <translation>Las que se muestran se hallaron con otros límites o en otro lugar.</translation>
     </message>
 </context>
 <context>
@@ -13233,10 +13237,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1 es una grabación: se puede observar, no escribir ni accionar</translation>
     </message>
     <message>
-        <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 es una grabación: su contenido se puede observar, no accionar</translation>
-    </message>
-    <message>
         <source>%1 is back</source>
         <translation>%1 ha vuelto</translation>
     </message>
@@ -14545,16 +14545,8 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>a un Abstract DC Drive no se le pueden consultar sus ajustes</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive cannot exchange directions</source>
-        <translation>un Abstract DC Drive no puede intercambiar sentidos</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
         <translation>un Abstract DC Drive tiene un offset de 0 a 99, no %1</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
-        <translation>un Abstract DC Drive no tiene finales de carrera, así que no hay anulación de límites</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
@@ -16553,10 +16545,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el archivo está vacío</translation>
     </message>
     <message>
-        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
-        <translation>el archivo es para la familia «%1», el dispositivo es un %2</translation>
-    </message>
-    <message>
         <source>the folder %1 cannot be made</source>
         <translation>no se puede crear la carpeta %1</translation>
     </message>
@@ -17551,10 +17539,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>without a ready line the board is asked 100 times a second, and cannot stream</source>
         <translation>sin línea de listo se consulta la placa 100 veces por segundo y no puede emitir un stream</translation>
-    </message>
-    <message>
-        <source>without an application its bootloader is silent (scan shows it)</source>
-        <translation>sin aplicación su bootloader no habla (la búsqueda lo muestra)</translation>
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
@@ -18921,10 +18905,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>elija uno libre</translation>
     </message>
     <message>
-        <source>exchange the wires, or the signs of p, i and d</source>
-        <translation>intercambie los cables o los signos de p, i y d</translation>
-    </message>
-    <message>
         <source>lower them, or raise the divisor</source>
         <translation>redúzcalas o aumente el divisor</translation>
     </message>
@@ -18975,6 +18955,50 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>take all others off the line and scan it, or use a programmer on the pins</source>
         <translation>quite de la línea todos los demás y busque en ella, o use un programador en los pines</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told to brake or to coast</source>
+        <translation>a %1 no se le puede indicar si frena o gira libre</translation>
+    </message>
+    <message>
+        <source>%1 cannot exchange directions</source>
+        <translation>%1 no puede intercambiar sentidos</translation>
+    </message>
+    <message>
+        <source>%1 has no limit override</source>
+        <translation>%1 no puede anular límites</translation>
+    </message>
+    <message>
+        <source>%1 has no ramp of the output in mode &apos;%2&apos;</source>
+        <translation>%1 no tiene rampa de la salida en el modo «%2»</translation>
+    </message>
+    <message>
+        <source>docs/bench.md has the options of each family, and what they take</source>
+        <translation>docs/bench.md contiene las opciones de cada familia y sus valores</translation>
+    </message>
+    <message>
+        <source>it is being recorded or replayed</source>
+        <translation>se está grabando o reproduciendo</translation>
+    </message>
+    <message>
+        <source>name a notebook that can be written</source>
+        <translation>indique un cuaderno en el que se pueda escribir</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is there twice</source>
+        <translation>la opción «%1» aparece dos veces</translation>
+    </message>
+    <message>
+        <source>seed and bitrate are whole numbers, loss is a fraction below 1</source>
+        <translation>seed y bitrate son números enteros, loss es una fracción menor que 1</translation>
+    </message>
+    <message>
+        <source>the file is for family &apos;%1&apos;, the device is of &apos;%2&apos;</source>
+        <translation>el archivo es para la familia «%1», el dispositivo es de «%2»</translation>
+    </message>
+    <message>
+        <source>the rest of its disk is left to others</source>
+        <translation>el resto de su disco queda para los demás</translation>
     </message>
 </context>
 </TS>

@@ -2099,6 +2099,10 @@
         <source>Not run: %1</source>
         <translation>Non exécuté&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Not started, the page has changed: %1</source>
+        <translation>Non démarré, la page a changé : %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -6866,8 +6870,8 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Propositions</translation>
     </message>
     <message>
-        <source>found for other limits</source>
-        <translation>trouvés pour d’autres limites</translation>
+        <source>to be found anew</source>
+        <translation>seront cherchés à nouveau</translation>
     </message>
 </context>
 <context>
@@ -8956,10 +8960,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>Consigne, curseur</translation>
     </message>
     <message>
-        <source>Ramp, brake, direction, limits</source>
-        <translation>Rampe, freinage, sens, limites</translation>
-    </message>
-    <message>
         <source>Hide drive options</source>
         <translation>Masquer les options</translation>
     </message>
@@ -8994,6 +8994,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>now %1</source>
         <translation>maintenant %1</translation>
+    </message>
+    <message>
+        <source>Drive options</source>
+        <translation>Options</translation>
     </message>
 </context>
 <context>
@@ -10963,8 +10967,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Chercher à nouveau les gains</translation>
     </message>
     <message>
-        <source>Those that are shown were found for other limits.</source>
-        <translation>Ceux qui sont affichés ont été trouvés pour d’autres limites.</translation>
+        <source>Those that are shown were found for other limits, or elsewhere.</source>
+        <translation>Ceux qui sont affichés ont été trouvés pour d’autres limites, ou ailleurs.</translation>
     </message>
 </context>
 <context>
@@ -13233,10 +13237,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>%1 est un enregistrement&#xa0;: il peut être observé, mais ni écrit ni piloté</translation>
     </message>
     <message>
-        <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 est un enregistrement&#xa0;: son contenu peut être observé, pas piloté</translation>
-    </message>
-    <message>
         <source>%1 is back</source>
         <translation>%1 est de retour</translation>
     </message>
@@ -14545,16 +14545,8 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>un Abstract DC Drive ne peut pas être interrogé sur ses réglages</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive cannot exchange directions</source>
-        <translation>un Abstract DC Drive ne peut pas permuter les sens</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
         <translation>un Abstract DC Drive a un offset de 0 à 99, pas %1</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
-        <translation>un Abstract DC Drive n’a pas de fins de course, ils ne peuvent donc pas être ignorés</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
@@ -16553,10 +16545,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>le fichier est vide</translation>
     </message>
     <message>
-        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
-        <translation>le fichier est destiné à la famille «&#xa0;%1&#xa0;», l’appareil est un %2</translation>
-    </message>
-    <message>
         <source>the folder %1 cannot be made</source>
         <translation>impossible de créer le dossier %1</translation>
     </message>
@@ -17551,10 +17539,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>without a ready line the board is asked 100 times a second, and cannot stream</source>
         <translation>sans ligne prêt, la carte est interrogée 100 fois par seconde et ne peut pas émettre de flux</translation>
-    </message>
-    <message>
-        <source>without an application its bootloader is silent (scan shows it)</source>
-        <translation>sans application, son bootloader est muet (une recherche le montre)</translation>
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
@@ -18921,10 +18905,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>choisissez-en un libre</translation>
     </message>
     <message>
-        <source>exchange the wires, or the signs of p, i and d</source>
-        <translation>permutez les fils, ou les signes de p, i et d</translation>
-    </message>
-    <message>
         <source>lower them, or raise the divisor</source>
         <translation>diminuez-les, ou augmentez le diviseur</translation>
     </message>
@@ -18975,6 +18955,50 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>take all others off the line and scan it, or use a programmer on the pins</source>
         <translation>retirez tous les autres de la ligne et relancez-y la recherche, ou utilisez un programmateur sur les broches</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told to brake or to coast</source>
+        <translation>on ne peut pas indiquer à %1 de freiner ou de rester en roue libre</translation>
+    </message>
+    <message>
+        <source>%1 cannot exchange directions</source>
+        <translation>%1 ne peut pas permuter les sens</translation>
+    </message>
+    <message>
+        <source>%1 has no limit override</source>
+        <translation>%1 ne peut pas ignorer les limites</translation>
+    </message>
+    <message>
+        <source>%1 has no ramp of the output in mode &apos;%2&apos;</source>
+        <translation>%1 n’a pas de rampe de sortie en mode « %2 »</translation>
+    </message>
+    <message>
+        <source>docs/bench.md has the options of each family, and what they take</source>
+        <translation>docs/bench.md donne les options de chaque famille et leurs valeurs</translation>
+    </message>
+    <message>
+        <source>it is being recorded or replayed</source>
+        <translation>il est en cours d’enregistrement ou de lecture</translation>
+    </message>
+    <message>
+        <source>name a notebook that can be written</source>
+        <translation>indiquez un carnet dans lequel on peut écrire</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is there twice</source>
+        <translation>l’option « %1 » figure deux fois</translation>
+    </message>
+    <message>
+        <source>seed and bitrate are whole numbers, loss is a fraction below 1</source>
+        <translation>seed et bitrate sont des nombres entiers, loss est une fraction inférieure à 1</translation>
+    </message>
+    <message>
+        <source>the file is for family &apos;%1&apos;, the device is of &apos;%2&apos;</source>
+        <translation>le fichier est destiné à la famille « %1 », l’appareil est de « %2 »</translation>
+    </message>
+    <message>
+        <source>the rest of its disk is left to others</source>
+        <translation>le reste de son disque est laissé aux autres</translation>
     </message>
 </context>
 </TS>

@@ -2097,6 +2097,10 @@
         <source>Not run: %1</source>
         <translation>実行しません: %1</translation>
     </message>
+    <message>
+        <source>Not started, the page has changed: %1</source>
+        <translation>開始していません。ページが変わりました: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -6857,8 +6861,8 @@ double click or End returns to the present · right click for more</source>
         <translation>候補</translation>
     </message>
     <message>
-        <source>found for other limits</source>
-        <translation>別の限度で求めた値</translation>
+        <source>to be found anew</source>
+        <translation>求め直します</translation>
     </message>
 </context>
 <context>
@@ -8944,10 +8948,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>目標値、スライダ</translation>
     </message>
     <message>
-        <source>Ramp, brake, direction, limits</source>
-        <translation>ランプ、ブレーキ、方向、リミット</translation>
-    </message>
-    <message>
         <source>Hide drive options</source>
         <translation>ドライブオプションを隠す</translation>
     </message>
@@ -8982,6 +8982,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>now %1</source>
         <translation>現在 %1</translation>
+    </message>
+    <message>
+        <source>Drive options</source>
+        <translation>ドライブオプション</translation>
     </message>
 </context>
 <context>
@@ -10948,8 +10952,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ゲインを求め直す</translation>
     </message>
     <message>
-        <source>Those that are shown were found for other limits.</source>
-        <translation>表示中のゲインは別の限度で求めたものです。</translation>
+        <source>Those that are shown were found for other limits, or elsewhere.</source>
+        <translation>表示中のゲインは別の限度、または別の位置で求めたものです。</translation>
     </message>
 </context>
 <context>
@@ -13216,10 +13220,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 は記録です: 監視はできますが、書込みや駆動はできません</translation>
     </message>
     <message>
-        <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 は記録です: 内容の監視はできますが、駆動はできません</translation>
-    </message>
-    <message>
         <source>%1 is back</source>
         <translation>%1 が復帰しました</translation>
     </message>
@@ -14528,16 +14528,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>Abstract DC Drive の設定は問い合わせできません</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive cannot exchange directions</source>
-        <translation>Abstract DC Drive では方向を反転できません</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
         <translation>Abstract DC Drive のオフセットは 0 ～ 99 です。%1 は使えません</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
-        <translation>Abstract DC Drive にはリミットスイッチがないため、リミットの無効化もありません</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
@@ -16536,10 +16528,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ファイルが空です</translation>
     </message>
     <message>
-        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
-        <translation>ファイルはファミリ「%1」用ですが、機器は %2 です</translation>
-    </message>
-    <message>
         <source>the folder %1 cannot be made</source>
         <translation>フォルダ %1 を作成できません</translation>
     </message>
@@ -17534,10 +17522,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>without a ready line the board is asked 100 times a second, and cannot stream</source>
         <translation>レディ線がない場合、基板への問合せは毎秒 100 回となり、ストリームは使えません</translation>
-    </message>
-    <message>
-        <source>without an application its bootloader is silent (scan shows it)</source>
-        <translation>アプリケーションがない場合、ブートローダは応答しません (スキャンで確認できます)</translation>
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
@@ -18904,10 +18888,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>空いているものを選んでください</translation>
     </message>
     <message>
-        <source>exchange the wires, or the signs of p, i and d</source>
-        <translation>配線を入れ替えるか、p、i、d の符号を変えてください</translation>
-    </message>
-    <message>
         <source>lower them, or raise the divisor</source>
         <translation>それらを下げるか、除数を上げてください</translation>
     </message>
@@ -18958,6 +18938,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>take all others off the line and scan it, or use a programmer on the pins</source>
         <translation>ほかの機器をすべて線から外して検索するか、ピンに接続する書込み器を使用してください</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told to brake or to coast</source>
+        <translation>%1 にはブレーキまたはフリーランを指示できません</translation>
+    </message>
+    <message>
+        <source>%1 cannot exchange directions</source>
+        <translation>%1 では方向を反転できません</translation>
+    </message>
+    <message>
+        <source>%1 has no limit override</source>
+        <translation>%1 ではリミットを無効にできません</translation>
+    </message>
+    <message>
+        <source>%1 has no ramp of the output in mode &apos;%2&apos;</source>
+        <translation>%1 はモード「%2」では出力ランプを持ちません</translation>
+    </message>
+    <message>
+        <source>docs/bench.md has the options of each family, and what they take</source>
+        <translation>各ファミリのオプションとその値は docs/bench.md にあります</translation>
+    </message>
+    <message>
+        <source>it is being recorded or replayed</source>
+        <translation>記録中または再生中です</translation>
+    </message>
+    <message>
+        <source>name a notebook that can be written</source>
+        <translation>書込み可能なノートを指定してください</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is there twice</source>
+        <translation>オプション「%1」が 2 回あります</translation>
+    </message>
+    <message>
+        <source>seed and bitrate are whole numbers, loss is a fraction below 1</source>
+        <translation>seed と bitrate は整数、loss は 1 未満の割合です</translation>
+    </message>
+    <message>
+        <source>the file is for family &apos;%1&apos;, the device is of &apos;%2&apos;</source>
+        <translation>ファイルはファミリ「%1」用ですが、機器は「%2」です</translation>
+    </message>
+    <message>
+        <source>the rest of its disk is left to others</source>
+        <translation>ディスクの残りはほかの用途に空けておきます</translation>
     </message>
 </context>
 </TS>

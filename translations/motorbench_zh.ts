@@ -2097,6 +2097,10 @@
         <source>Not run: %1</source>
         <translation>未运行：%1</translation>
     </message>
+    <message>
+        <source>Not started, the page has changed: %1</source>
+        <translation>未开始，页面已更改：%1</translation>
+    </message>
 </context>
 <context>
     <name>mb::BenchText</name>
@@ -6857,8 +6861,8 @@ double click or End returns to the present · right click for more</source>
         <translation>建议方案</translation>
     </message>
     <message>
-        <source>found for other limits</source>
-        <translation>在其他限值下求得</translation>
+        <source>to be found anew</source>
+        <translation>将重新求取</translation>
     </message>
 </context>
 <context>
@@ -8944,10 +8948,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>设定值，滑块</translation>
     </message>
     <message>
-        <source>Ramp, brake, direction, limits</source>
-        <translation>斜坡、制动、方向、限位</translation>
-    </message>
-    <message>
         <source>Hide drive options</source>
         <translation>隐藏驱动选项</translation>
     </message>
@@ -8982,6 +8982,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>now %1</source>
         <translation>当前 %1</translation>
+    </message>
+    <message>
+        <source>Drive options</source>
+        <translation>驱动选项</translation>
     </message>
 </context>
 <context>
@@ -10948,8 +10952,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>重新求取增益</translation>
     </message>
     <message>
-        <source>Those that are shown were found for other limits.</source>
-        <translation>所示增益是在其他限值下求得的。</translation>
+        <source>Those that are shown were found for other limits, or elsewhere.</source>
+        <translation>所示增益是在其他限值下或在其他位置求得的。</translation>
     </message>
 </context>
 <context>
@@ -13216,10 +13220,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1 是记录：可监视，不可写入或驱动</translation>
     </message>
     <message>
-        <source>%1 is a recording: what is in it can be watched, not driven</source>
-        <translation>%1 是记录：其内容可监视，不可驱动</translation>
-    </message>
-    <message>
         <source>%1 is back</source>
         <translation>%1 已恢复</translation>
     </message>
@@ -14528,16 +14528,8 @@ double click plots it, drag it to a pane or below them</source>
         <translation>无法向 Abstract DC Drive 查询其设置</translation>
     </message>
     <message>
-        <source>an Abstract DC Drive cannot exchange directions</source>
-        <translation>Abstract DC Drive 不能交换方向</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
         <translation>Abstract DC Drive 的偏移量为 0 到 99，而非 %1</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
-        <translation>Abstract DC Drive 没有限位开关，因此没有限位覆盖</translation>
     </message>
     <message>
         <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
@@ -16536,10 +16528,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>文件为空</translation>
     </message>
     <message>
-        <source>the file is for family &apos;%1&apos;, the device is a %2</source>
-        <translation>文件用于系列“%1”，而设备是 %2</translation>
-    </message>
-    <message>
         <source>the folder %1 cannot be made</source>
         <translation>无法创建文件夹 %1</translation>
     </message>
@@ -17534,10 +17522,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>without a ready line the board is asked 100 times a second, and cannot stream</source>
         <translation>没有就绪线时，板卡每秒被查询 100 次，且不能发送数据流</translation>
-    </message>
-    <message>
-        <source>without an application its bootloader is silent (scan shows it)</source>
-        <translation>没有应用程序时，其引导程序不发声（扫描可显示它）</translation>
     </message>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
@@ -18904,10 +18888,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请选择空闲的一个</translation>
     </message>
     <message>
-        <source>exchange the wires, or the signs of p, i and d</source>
-        <translation>对调导线，或更改 p、i 和 d 的符号</translation>
-    </message>
-    <message>
         <source>lower them, or raise the divisor</source>
         <translation>减小它们，或增大除数</translation>
     </message>
@@ -18958,6 +18938,50 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>take all others off the line and scan it, or use a programmer on the pins</source>
         <translation>将其他所有设备从线路上断开并搜索该线路，或使用接在引脚上的编程器</translation>
+    </message>
+    <message>
+        <source>%1 cannot be told to brake or to coast</source>
+        <translation>无法指示 %1 制动或滑行</translation>
+    </message>
+    <message>
+        <source>%1 cannot exchange directions</source>
+        <translation>%1 不能交换方向</translation>
+    </message>
+    <message>
+        <source>%1 has no limit override</source>
+        <translation>%1 不能覆盖限位</translation>
+    </message>
+    <message>
+        <source>%1 has no ramp of the output in mode &apos;%2&apos;</source>
+        <translation>%1 在模式“%2”下没有输出斜坡</translation>
+    </message>
+    <message>
+        <source>docs/bench.md has the options of each family, and what they take</source>
+        <translation>各系列的选项及其取值见 docs/bench.md</translation>
+    </message>
+    <message>
+        <source>it is being recorded or replayed</source>
+        <translation>正在记录或回放</translation>
+    </message>
+    <message>
+        <source>name a notebook that can be written</source>
+        <translation>给出可写入的试验记录本</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is there twice</source>
+        <translation>选项“%1”出现了两次</translation>
+    </message>
+    <message>
+        <source>seed and bitrate are whole numbers, loss is a fraction below 1</source>
+        <translation>seed 和 bitrate 是整数，loss 是小于 1 的小数</translation>
+    </message>
+    <message>
+        <source>the file is for family &apos;%1&apos;, the device is of &apos;%2&apos;</source>
+        <translation>文件用于系列“%1”，而设备属于“%2”</translation>
+    </message>
+    <message>
+        <source>the rest of its disk is left to others</source>
+        <translation>磁盘的剩余空间留给其他程序</translation>
     </message>
 </context>
 </TS>

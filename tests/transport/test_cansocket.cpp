@@ -264,6 +264,19 @@ TEST_F(CanSocket, BusOffIsToldOnceWhereAnErrorFrameAndTheKernelBothTellIt)
     EXPECT_EQ(link->health().state, BusState::BusOff);
 }
 
+TEST_F(CanSocket, FramesThatWaitUnreadComeBeforeABusOffThatOnlyTheKernelTells)
+{
+    open();
+    for (std::uint32_t i = 0; i < 100; ++i)
+        put(i);
+    kernel.networks = {test::PlayedKernel::controller(7, "can0", true, stateOf(CAN_STATE_BUS_OFF, 255, 0))};
+    link->recount();
+    EXPECT_EQ(link->state(), LinkState::Open) << "who counts is not called back";
+    clock.advance(1ms);
+    EXPECT_EQ(link->state(), LinkState::Lost);
+    EXPECT_EQ(link->counters().rx, 100U);
+}
+
 TEST_F(CanSocket, AVirtualInterfaceKnowsOfNoState)
 {
     kernel.networks = {{7, "can0", test::interfaceMessage(IFF_UP, {test::named("can0"), test::kindOf("vcan")})}};
