@@ -212,8 +212,8 @@ TEST_F(SupermodifiedDistances, AProfileWhoseWriteAStopBrokeOffIsWrittenAnew)
 
 TEST_F(SupermodifiedDistances, APIsWrittenWhileTheMotorRunsOn)
 {
-    SetPointStream stream(*device);
-    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 500.0)));
+    SetPointStream stream(*device, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 500.0), 60s));
     bench.clock.advance(500ms);
     bench.sent.clear();
     for (int i = 0; i < 20; ++i) {
