@@ -30,6 +30,20 @@ TEST(AbstractDcOpenOcd, AsksForWhatTheRepositoryConfigures)
         "0x0800C800 0xC00|-c|program {a.hex} verify reset exit|");
 }
 
+TEST(AbstractDcOpenOcd, EachProbeHasItsOwnWordForSwd)
+{
+    const auto transport = [](const std::string &probe) {
+        const auto arguments = openocd::commandOf(*openocd::jobOf("openocd:" + probe, "f1")).arguments;
+        return arguments.at(3);
+    };
+    EXPECT_EQ(transport("stlink"), "transport select hla_swd");
+    EXPECT_EQ(transport("stlink-v2-1"), "transport select hla_swd");
+    EXPECT_EQ(transport("stlink-dap"), "transport select dapdirect_swd");
+    EXPECT_EQ(transport("nulink"), "transport select hla_swd");
+    EXPECT_EQ(transport("ti-icdi"), "transport select hla_swd");
+    EXPECT_EQ(transport("jlink"), "transport select swd");
+}
+
 TEST(AbstractDcOpenOcd, RefusesWhatIsNoWayIn)
 {
     for (const char *via : {"", "avrdude:x", "openocd", "openocd:", "openocd:../x", "openocd:a b", "openocd:a;b"}) {

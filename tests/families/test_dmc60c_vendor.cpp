@@ -101,6 +101,17 @@ TEST(Dmc60cVendor, AnAnswerAboutAParameterHasItsWords)
         std::pair(Fault::BadReply, std::string("slot0.p: status 7 has no meaning")));
 }
 
+TEST(Dmc60cVendor, EveryModeThatAUnitReportsIsOneOfOursAndAnotherNone)
+{
+    const std::vector<std::pair<ControlMode, Mode>> modes{{ControlMode::Voltage, Mode::Duty},
+        {ControlMode::Velocity, Mode::Velocity}, {ControlMode::Position, Mode::Position},
+        {ControlMode::Current, Mode::Current}, {ControlMode::VoltageCompensated, Mode::Voltage},
+        {ControlMode::Follower, Mode::Follow}, {ControlMode::NoDrive, Mode::Off}};
+    for (const auto &[reported, mode] : modes)
+        EXPECT_EQ(modeOf(reported), mode) << static_cast<int>(reported);
+    EXPECT_EQ(modeOf(static_cast<ControlMode>(14)), std::nullopt);
+}
+
 /// One unit of the simulated bench, asked as nobody asks it but its maker.
 TEST(Dmc60cVendor, ASimulatedUnitKeepsTextsAsLongAsTheirFields)
 {

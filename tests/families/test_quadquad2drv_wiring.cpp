@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a simulated board is wired up: its options, its bootloader's line, and an SPI link without a ready line.
+#include "families/quadquad2drv/axisdrives.h"
 #include "families/quadquad2drv/missedsamples.h"
+#include "families/quadquad2drv/scan.h"
 #include "families/quadquad2drv/simulator.h"
 #include "families/quadquad2drvupdatebench.h"
 #include "support/eventloop.h"
@@ -151,6 +153,71 @@ TEST(QuadQuad2DrvFirmware, AFileIsSummedUpByItsLinesAndBytes)
     EXPECT_EQ(summary->notes[0], "3 lines, 8 bytes; the file does not name its version");
     EXPECT_EQ(summary->version, "");
     EXPECT_EQ(inspect(FirmwareImage()).error().text(), "the file has no lines to send");
+}
+
+TEST(QuadQuad2DrvVersion, OfAnotherProtocolItIsWarnedOf)
+{
+    Identity identity;
+    identity.state = DeviceState::Bootloader;
+    setVersion(identity, 1, 3, 1);
+    EXPECT_EQ(identity.state, DeviceState::Online);
+    EXPECT_EQ(identity.firmware, "1.3");
+    EXPECT_EQ(identity.dialect, "protocol 1");
+    EXPECT_TRUE(identity.detail.empty());
+    setVersion(identity, 2, 10, 2);
+    EXPECT_EQ(identity.firmware, "2.10");
+    EXPECT_EQ(identity.dialect, "protocol 2");
+    EXPECT_EQ(identity.detail,
+        "the board speaks protocol 2, this program was written for protocol 1; watch it before it is driven");
+}
+
+TEST(QuadQuad2DrvSetPoints, WhatTheBoardCannotDoIsSaidInOneClause)
+{
+    const auto refusal = [](Mode mode, double target, const auto &change) {
+        SetPoint order;
+        order.mode = mode;
+        order.target = target;
+        change(order);
+        const auto checked = checkSetPoint(order);
+        return checked ? std::string() : checked.error().text();
+    };
+    const auto nothing = [](SetPoint &) {};
+    EXPECT_EQ(refusal(Mode::Duty, 1.0, nothing), "");
+    EXPECT_EQ(refusal(Mode::Off, 0.0, nothing), "");
+    for (const int axis : {0, 5})
+        EXPECT_EQ(
+            refusal(Mode::Duty, 0.0, [axis](SetPoint &order) { order.axis = axis; }), "the board has axes 1 to 4");
+    EXPECT_EQ(
+        refusal(Mode::Duty, 0.0, [](SetPoint &order) { order.slot = 1; }), "the board has one set of gains per axis");
+    EXPECT_EQ(refusal(Mode::Duty, 1.01, nothing), "duty is a fraction from −1 to 1");
+    EXPECT_EQ(refusal(Mode::Velocity, -100'000.0, nothing), "");
+    EXPECT_EQ(refusal(Mode::Velocity, -100'000.1, nothing), "velocity is −100000 to 100000 counts/s");
+    EXPECT_EQ(refusal(Mode::Position, -2147483648.0, nothing), "");
+    EXPECT_EQ(refusal(Mode::Position, 2147483648.0, nothing), "position has 32 bits");
+    EXPECT_EQ(refusal(Mode::Current, 1.0, nothing), "the board has no such mode");
+    EXPECT_EQ(refusal(Mode::RampVelocity, 1.0, [](SetPoint &order) { order.acceleration = 1'000'000.5; }),
+        "a profile has up to 100000 counts/s and 1000000 counts/s²");
+}
+
+TEST(QuadQuad2DrvSimulator, ABrokenStartHidesNoRequestBehindIt)
+{
+    VirtualClock clock;
+    VirtualSpiSlaveLink slave(*LinkAddress::parse("sim:spi"));
+    simulation::Board board(
+        slave, clock, *BoardOptions::parse(*SimulatedUnit::parse("quadquad2drv:0")), [](std::string_view, double) {});
+    for (const Bytes &request : {Bytes{0x02, 0x04, 0x02, 0x04, 0x01, 0xF9}, Bytes{0x02, 0x02, 0x04, 0x01, 0xF9},
+             Bytes{0x77, 0x02, 0x03, 0x02, 0x04, 0x01, 0xF9}}) {
+        Bytes answer(request.size());
+        board.transfer(request, answer);
+        clock.advance(1ms);
+        Bytes reply;
+        while (board.isReady()) {
+            std::uint8_t byte = 0;
+            board.transfer(std::array<std::uint8_t, 1>{}, {&byte, 1});
+            reply.push_back(byte);
+        }
+        EXPECT_EQ(reply, (Bytes{0x02, 0x08, 0x01, 0x00, 0x01, 0x03, 0x01, 0xF0})) << request.size();
+    }
 }
 
 // A link without a ready line

@@ -2,6 +2,7 @@
 // What is the same for every family: words that files and the console have, reports that nobody else makes, rows that are looked up.
 #include "model/family.h"
 #include "model/loopparameters.h"
+#include "model/parameterstore.h"
 #include "model/registry.h"
 #include "model/setpoint.h"
 #include "model/setpointstream.h"
@@ -33,6 +34,8 @@ TEST(FamilyWords, OfOutcomesStatesEndsAndGains)
     EXPECT_EQ(ends,
         "running|stopped|lease expired|late|slept|link lost|device silent|device restarted|foreign master|unguarded|"
         "refused|");
+    EXPECT_EQ(wordsOf(ParameterState::Unknown, ParameterState::Failed), "unknown|stored|ram|volatile|assumed|failed|");
+    EXPECT_EQ(wordsOf(LinkKind::Can, LinkKind::Spi), "can|serial|spi|");
     std::string letters;
     for (const Role role : {Role::Proportional, Role::Integral, Role::Derivative, Role::FeedForward})
         letters += gainLetter(role);

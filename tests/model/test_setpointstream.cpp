@@ -194,6 +194,14 @@ TEST_F(Stream, EndsWhenTheLinkIsBusOffAndTheDeviceStopsByItself)
     EXPECT_FALSE(stream->start(duty(0.3), 1s));
 }
 
+TEST_F(Stream, ASimulatedUnitThatIsCutOffTheBusStopsByItself)
+{
+    drive();
+    box.close();
+    clock.advance(1ms);
+    EXPECT_FALSE(unit->isOutputOn());
+}
+
 TEST_F(Stream, DoesNotGoOnWhenTheLinkIsBack)
 {
     drive();

@@ -345,6 +345,9 @@ TEST_F(PlayedSpi, ALineThatIsNotThereOrIsUsedFailsToOpenWithItsName)
         EXPECT_EQ(causeOf("gpiochip1:1"),
             "no permission to use gpiochip1:1; become a member of its group: sudo usermod -aG gpio $USER");
         lineCause = EBUSY;
+        GpioLine line;
+        for (const char *refused : {"gpiochip1:1", "gpiochip7:1", "gpiochip1:3"})
+            EXPECT_FALSE(option == "ready=" ? line.openInput(refused, {}) : line.openOpenDrain(refused)) << refused;
         EXPECT_EQ(openChips, 0) << "nothing stays open of what was refused";
     }
 }

@@ -91,6 +91,17 @@ TEST(ExternalProgram, TellsALineThatGrows)
     EXPECT_TRUE(heard->exit.isSuccess());
 }
 
+TEST(ExternalProgram, ALineWithoutEndComesInPiecesOf4096)
+{
+    test::EventLoop loop;
+    const auto heard = run(loop, "head -c 9000 /dev/zero | tr '\\0' x; echo; echo end");
+    ASSERT_TRUE(heard);
+    std::vector<std::size_t> sizes;
+    for (const std::string &line : heard->lines)
+        sizes.push_back(line.size());
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{4096, 4096, 808, 3}));
+}
+
 TEST(ExternalProgram, StandardInputIsEmpty)
 {
     test::EventLoop loop;

@@ -6,10 +6,28 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <string_view>
 
+#include <fcntl.h>
 #include <unistd.h>
+
+namespace {
+
+std::string_view forbidden; ///< a path that this user may not use, whoever that is
+
+} // namespace
+
+extern "C" int access(const char *path, int mode) noexcept
+{
+    if (forbidden.empty() || std::string_view(path) != forbidden)
+        return ::faccessat(AT_FDCWD, path, mode, 0);
+    errno = EACCES;
+    return -1;
+}
 
 using namespace mb;
 
@@ -96,6 +114,23 @@ TEST(LinkCatalog, AnInterfaceThatIsNotThereFailsToOpenWithItsCause)
     EXPECT_TRUE(detail == "there is no CAN interface nosuchcan7" || detail.find("CAN s") != std::string::npos)
         << detail;
     EXPECT_EQ((*link)->state(), LinkState::Closed);
+}
+
+TEST(SerialPorts, OneThatIsNotThereOrNotOursIsNamedWithTheRemedy)
+{
+    EXPECT_EQ(whyUnusable("null", "/dev/null"), std::nullopt);
+    EXPECT_EQ(whyUnusable("mine", "/dev/mbnone"),
+        (Diagnosis{
+            Ailment::NotThere, say("there is no %1", "mine"), say("plug in the adapter, or name another port"), {}}));
+    EXPECT_EQ(whyUnusable("letters", "/etc/passwd"),
+        (Diagnosis{Ailment::Failed, say("%1 is no serial port", "letters"), say("name one such as /dev/ttyUSB0"), {}}));
+    forbidden = "/dev/null";
+    const auto theirs = whyUnusable("null", "/dev/null");
+    forbidden = {};
+    EXPECT_EQ(theirs,
+        (Diagnosis{Ailment::NoPermission, say("no permission to use %1", "null"), say("become a member of its group"),
+            "sudo usermod -aG dialout $USER"}))
+        << "the group of root is none to become a member of";
 }
 
 TEST(SerialPorts, AreThoseWithHardwareBehindThemAndDescribedByTheirUsbDevice)

@@ -146,6 +146,17 @@ TEST_F(BoardSocket, TheNextIsServedOnceTheFirstHasGone)
     EXPECT_EQ(waiting(second.get()), (Bytes{0xF8, 1}));
 }
 
+TEST_F(BoardSocket, OneThatIsGoneHasHungUpAndTakenItsPathAway)
+{
+    serve("");
+    const Descriptor client(connected());
+    loop.runReady();
+    EXPECT_FALSE(isHungUp(client.get()));
+    server.reset();
+    EXPECT_TRUE(isHungUp(client.get()));
+    EXPECT_EQ(connectUnixSocket(path).error().ailment, Ailment::NotThere);
+}
+
 TEST_F(BoardSocket, WhoAsksAndNeverReadsIsCutOff)
 {
     serve("");
@@ -210,6 +221,23 @@ TEST_F(BoardClient, WhoWatchesTheReadyLineAsksForItsLevelWhenNothingElseIsAsked)
     answer({0});
     EXPECT_EQ(link.ready(), false);
     EXPECT_EQ(link.state(), LinkState::Open);
+}
+
+TEST_F(BoardClient, WhatTheLastBoardNeverTookIsNotSentToTheNext)
+{
+    while (link.outlet().aside(Bytes(50'000))) { } // until no more fits
+    ASSERT_TRUE(link.pulseReset());
+    link.close();
+    ASSERT_TRUE(link.open());
+    const Descriptor next(::accept(listening.get(), nullptr, nullptr));
+    EXPECT_EQ(waiting(next.get()), Bytes{});
+    Task<Bytes> asked = transferOn(link, {7});
+    asked.start();
+    EXPECT_EQ(waiting(next.get()), (Bytes{1, 0, 7}));
+    put(next.get(), {9, 1});
+    loop.runReady();
+    ASSERT_TRUE(asked.isFinished());
+    EXPECT_EQ(*asked.result(), Bytes{9});
 }
 
 TEST_F(BoardClient, ABoardThatIsSilentIsLostAFewLooksAfterItsLastAnswer)

@@ -229,5 +229,25 @@ TEST_F(VirtualSpi, ResetReachesTheBoard)
     EXPECT_EQ(board.resets, 1);
 }
 
+TEST_F(VirtualSpi, OnceItIsClosedWhoWaitsIsToldAndNothingIsDone)
+{
+    Task<void> waiting = link.waitReady(10ms);
+    waiting.start();
+    clock.advance(3ms);
+    link.close();
+    clock.advance(1us);
+    ASSERT_TRUE(waiting.isFinished());
+    EXPECT_EQ(waiting.result().error().text(), "sim:spi is not open");
+    EXPECT_EQ(link.pulseReset().error().text(), "sim:spi is not open");
+    EXPECT_EQ(link.sendUrgent({1}).error().text(), "sim:spi is not open");
+    EXPECT_EQ(board.resets, 0);
+    Task<Bytes> late = transfer(link, {1});
+    late.start();
+    ASSERT_TRUE(late.isFinished());
+    EXPECT_EQ(late.result().error().fault, Fault::LinkLost);
+    EXPECT_TRUE(board.heard.empty());
+    EXPECT_EQ(clock.armed(), 0U);
+}
+
 } // namespace
 } // namespace mb
