@@ -5,6 +5,7 @@
 #include "experiment/experimentmotion.h"
 #include "experiment/figures.h"
 #include "experiment/guards.h"
+#include "experiment/motiontimes.h"
 #include "model/family.h"
 
 #include <algorithm>

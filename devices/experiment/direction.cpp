@@ -156,7 +156,8 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
     double enough, Duration limit)
 {
     Clock &clock = device.clock();
-    co_await stream.start(setPoint, experimentLease, {}, SetPointStream::Since::Renewal);
+    if (auto started = stream.start(setPoint, experimentLease, {}, SetPointStream::Since::Renewal); !started)
+        co_return fail(started.error());
     co_await untilSent(clock, stream);
     const double before = recorder.latest("position").value_or(0.0);
     const Instant begin = clock.now();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/envelope.h"
 
-#include "experiment/experimentmotion.h"
+#include "experiment/motiontimes.h"
 #include "model/axis.h"
 #include "model/family.h"
 #include "model/loopparameters.h"

@@ -4,6 +4,7 @@
 #include "async/sleep.h"
 #include "experiment/direction.h"
 #include "experiment/equivalenttime.h"
+#include "experiment/motiontimes.h"
 #include "experiment/seconds.h"
 #include "experiment/verdict.h"
 #include "model/family.h"
@@ -17,43 +18,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration glance = 5ms;
-constexpr Duration approachLimit = 3s;
-constexpr Duration stillBefore = 250ms;
-constexpr Duration leastHold = 400ms;
-constexpr double levelShare = 0.5;
-constexpr double restShare = 0.02;
-constexpr double longestReturn = 5.0; ///< s
-/// Of a way back, over which it stays where it began: nothing but its next step waits.
-constexpr double returnedShare = 0.35;
 constexpr int relayTurns = 18;
 constexpr Duration relayGlance = 2ms;
 constexpr Duration standsSpan = 150ms; ///< the same without a loop
 
 } // namespace
-
-double secondsBefore(double lag)
-{
-    const double settles = std::log(1.0 / (2.0 * restShare)) / (1.0 - levelShare) * lag;
-    return std::min(std::max(settles, inSeconds(stillBefore)), inSeconds(approachLimit)) + inSeconds(stillBefore);
-}
-
-double secondsAfter(double lag, double length)
-{
-    const double settles = std::log(1.0 / restShare) / (1.0 - returnedShare) * lag;
-    return std::min(std::max(settles, inSeconds(leastHold)), std::min(length, longestReturn));
-}
-
-double secondsAtStart(double lag, double length, int repeat)
-{
-    const double once = inSeconds(stillBefore) + secondsAfter(lag, length);
-    return secondsBefore(lag) - inSeconds(stillBefore) + once * repeat;
-}
-
-double longestSeconds(double length, int repeat)
-{
-    const double once = 2.0 * inSeconds(stillBefore) + length + std::min(length, longestReturn);
-    return inSeconds(approachLimit) + once * repeat;
-}
 
 ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const ExperimentPlan &plan,
     const ExperimentSurroundings &surroundings, TrialRecorder &recorder, Trial &trial)
@@ -129,11 +98,11 @@ Task<void> ExperimentMotion::goTo(double target)
 {
     const std::string_view key = measuredOf(m_plan.mode);
     const Instant from = m_device.clock().now();
-    const Instant limit = from + approachLimit;
+    const Instant limit = from + MotionTimes::approachLimit;
     while (!isOver()) {
         const double width = restWidth();
         const double here = m_recorder.latest(key).value_or(0.0);
-        const bool rests = m_recorder.isSettled(from, stillBefore, levelShare, 2.0 * width);
+        const bool rests = m_recorder.isSettled(from, MotionTimes::stillBefore, MotionTimes::levelShare, 2.0 * width);
         const bool arrived
             = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Current || std::abs(here - target) <= width;
         if (rests && arrived)
@@ -159,14 +128,14 @@ Task<void> ExperimentMotion::goTo(double target)
 double ExperimentMotion::restWidth() const
 {
     const double here = m_plan.mode == Mode::Duty ? m_recorder.latest(measuredOf(m_plan.mode)).value_or(0.0) : 0.0;
-    return restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
+    return MotionTimes::restShare * std::max(std::abs(m_trial.stimulus.to - m_trial.stimulus.from), std::abs(here));
 }
 
 /// X for a moment, the stimulus, and back to X.
 Task<void> ExperimentMotion::followOnce(double dither)
 {
     Clock &clock = m_device.clock();
-    co_await Sleep(clock, stillBefore + ofSeconds(dither));
+    co_await Sleep(clock, MotionTimes::stillBefore + ofSeconds(dither));
     const Instant begin = clock.now();
     const Instant end = begin + ofSeconds(m_trial.stimulus.length());
     auto following = m_plan.relay ? swing(end) : followProfile(begin, end);
@@ -187,7 +156,8 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
     const double place = m_recorder.latest("position").value_or(m_origin);
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (hasGoneFar(place) || (endsSettled && m_recorder.hasSettled(begin, leastHold, way, restWidth())))
+        if (hasGoneFar(place)
+            || (endsSettled && m_recorder.hasSettled(begin, MotionTimes::leastHold, way, restWidth())))
             break;
         co_await Sleep(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
     }
@@ -228,7 +198,8 @@ Task<void> ExperimentMotion::comeBack()
     const Instant back = clock.now();
     setTarget(stimulus.from);
     tellMeasured();
-    const Instant limit = back + ofSeconds(std::max(std::min(stimulus.length(), longestReturn), m_plan.rest));
+    const Instant limit
+        = back + ofSeconds(std::max(std::min(stimulus.length(), MotionTimes::longestReturn), m_plan.rest));
     while (!isOver() && clock.now() < limit && !hasReturned(back))
         co_await Sleep(clock, ofSeconds(m_beat));
     m_returns.emplace_back(back, clock.now());
@@ -250,7 +221,8 @@ bool ExperimentMotion::hasReturned(Instant since) const
     const Stimulus &stimulus = m_trial.stimulus;
     if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
         return m_recorder.isStill(since, standsSpan);
-    return m_recorder.isSettled(since, std::max(leastHold, ofSeconds(m_plan.rest)), returnedShare, restWidth());
+    return m_recorder.isSettled(
+        since, std::max(MotionTimes::leastHold, ofSeconds(m_plan.rest)), MotionTimes::returnedShare, restWidth());
 }
 
 void ExperimentMotion::tellMeasured() const

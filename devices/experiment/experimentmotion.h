@@ -11,15 +11,6 @@ namespace mb::tuning {
 
 constexpr double stopLag = 0.2; ///< s, in which a motor is taken to stop, where a push is to end within its reach
 
-/// s from the beginning of a motion at rest to that of its stimulus, and from its end on until it is at X again, of what follows with
-/// that lag (s) a duty whose stimulus is `length` s long; at most.
-[[nodiscard]] double secondsBefore(double lag);
-[[nodiscard]] double secondsAfter(double lag, double length);
-/// s at X, or on the way there, of all repeats of such a stimulus together; at most with an endless lag.
-[[nodiscard]] double secondsAtStart(double lag, double length, int repeat);
-/// s of all of it, at most.
-[[nodiscard]] double longestSeconds(double length, int repeat);
-
 /// What the motor does in an experiment: it goes to X, follows the stimulus and comes back, as often as planned. Ends early where a guard,
 /// the stream or somebody ends it. All that it is given outlives it; its task ends before it.
 class ExperimentMotion {

@@ -111,7 +111,8 @@ Task<MotorFigures> measureMotor(Device &device, SetPointStream &stream, int axis
 {
     const auto position = tuning::axisChannel(device, "position", axis);
     const auto here = position ? device.telemetry()->latest(*position) : std::nullopt;
-    const Envelope own = co_await tuning::readOwnLimits(device, axis, slot, here ? here->value : 0.0);
+    auto reading = tuning::readOwnLimits(device, axis, slot, here ? here->value : 0.0);
+    const Envelope own = co_await std::move(reading);
     const auto facts = tuning::factsOf(device, axis);
     const Envelope bounds = co_await tuning::resolve(device.family(), facts, Mode::Duty, limits, own);
     Pushing pushing{device, stream, axis, slot, limits, bounds, std::move(surroundings), {}};

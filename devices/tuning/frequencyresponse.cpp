@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/frequencyresponse.h"
 
-#include "experiment/experimentmotion.h"
 #include "experiment/figures.h"
+#include "experiment/motiontimes.h"
 #include "model/family.h"
 #include "tuning/leastsquares.h"
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 namespace mb::tuning {
@@ -47,6 +48,21 @@ TEST(Relay, TakesThePlaceOfPushesWhereTravelIsSmall)
         EXPECT_NEAR(report->plant.gain / report->plant.tau, quickness, 0.12 * quickness) << "what its P depends on";
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
+    }
+}
+
+TEST(Relay, SwingsEvenlyWhereverItsSamplesLie)
+{
+    TunePlan plan = planOf(Mode::Position);
+    plan.propose = true;
+    plan.limits.travel = 30'000.0;
+    for (int later = 0; later < 8; ++later) {
+        ExperimentBench bench("sim:can", "dmc60c", 5);
+        bench.bench.clock.advance(std::chrono::microseconds(700 * later)); // of the 5 ms between two
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_NE(gateOf(*report, "relay"), nullptr) << later;
+        EXPECT_EQ(report->result, TuneResult::Proposed) << later << ": " << report->evidence;
     }
 }
 

@@ -55,6 +55,7 @@ private Q_SLOTS:
     void underOtherLimitsTheStepOfNowIsSaidAndThatGainsAreFoundAnew();
     void theLimitsOfTheChosenSlotAreInForce();
     void setsAreDesignedAnewOnlyOnceTheMotorStandsElsewhere();
+    void aVelocityLoopOfAMotorThatIsNotSimulatedNeedsASpeed();
 };
 
 void TestDesignLimits::underOtherLimitsTheStepOfNowIsSaidAndThatGainsAreFoundAnew()
@@ -126,6 +127,27 @@ void TestDesignLimits::setsAreDesignedAnewOnlyOnceTheMotorStandsElsewhere()
     card = bench.cards().front();
     isAt(2001.0, false);
     QVERIFY2(card, "a count makes no other set");
+}
+
+void TestDesignLimits::aVelocityLoopOfAMotorThatIsNotSimulatedNeedsASpeed()
+{
+    DesignBench bench;
+    bench.workbench.device(0).link = "socketcan:can0";
+    bench.workbench.publish();
+    enter(bench, "Envelope: Travel", "100000");
+    enter(bench, "Envelope: Duty", "0.5");
+    enter(bench, "Envelope: Current", "20");
+    bench.arm();
+    bench.page->chooseLoop(Mode::Velocity);
+    QVERIFY(!bench.page->status().mayRun);
+    QVERIFY(bench.page->status().remedy.contains(QStringLiteral("Nothing bounds the motor")));
+    bench.page->autotune();
+    QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
+    bench.page->chooseLoop(Mode::Position); // which needs none
+    QVERIFY2(bench.page->status().mayRun, qPrintable(bench.page->status().remedy));
+    bench.page->chooseLoop(Mode::Velocity);
+    enter(bench, "Envelope: Speed", "90000");
+    QVERIFY2(bench.page->status().mayRun, qPrintable(bench.page->status().remedy));
 }
 
 MB_WINDOW_TEST(TestDesignLimits);

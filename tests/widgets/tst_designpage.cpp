@@ -14,7 +14,6 @@
 #include "widgets/plots/curveplot.h"
 
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -26,7 +25,6 @@ class TestDesignPage : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void nothingIsOrderedBeforeItIsArmed();
-    void aVelocityLoopOfAMotorThatIsNotSimulatedNeedsASpeed();
     void identifyingProposesAndWritesNothing();
     void theChosenSetIsProvenFromTheModelThatIsKnown();
     void aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsModel();
@@ -59,35 +57,6 @@ void TestDesignPage::nothingIsOrderedBeforeItIsArmed()
     bench.page->prove();
     QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
     QVERIFY(!bench.page->status().mayRun);
-}
-
-void TestDesignPage::aVelocityLoopOfAMotorThatIsNotSimulatedNeedsASpeed()
-{
-    DesignBench bench;
-    bench.workbench.device(0).link = "socketcan:can0";
-    bench.workbench.publish();
-    const auto enter = [&bench](const QString &name, const QString &number) {
-        for (auto *field : bench.page->findChildren<QLineEdit *>()) {
-            if (field->accessibleName().startsWith(QStringLiteral("Envelope: ") + name)) {
-                field->setText(number);
-                Q_EMIT field->textEdited(number);
-            }
-        }
-    };
-    enter(QStringLiteral("Travel"), QStringLiteral("100000"));
-    enter(QStringLiteral("Duty"), QStringLiteral("0.5"));
-    enter(QStringLiteral("Current"), QStringLiteral("20"));
-    bench.arm();
-    bench.page->chooseLoop(Mode::Velocity);
-    QVERIFY(!bench.page->status().mayRun);
-    QVERIFY(bench.page->status().remedy.contains(QStringLiteral("Nothing bounds the motor")));
-    bench.page->autotune();
-    QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
-    bench.page->chooseLoop(Mode::Position); // which needs none
-    QVERIFY2(bench.page->status().mayRun, qPrintable(bench.page->status().remedy));
-    bench.page->chooseLoop(Mode::Velocity);
-    enter(QStringLiteral("Speed"), QStringLiteral("90000"));
-    QVERIFY2(bench.page->status().mayRun, qPrintable(bench.page->status().remedy));
 }
 
 void TestDesignPage::identifyingProposesAndWritesNothing()

@@ -2,8 +2,8 @@
 #include "widgets/control/experimentplan.h"
 
 #include "experiment/envelope.h"
-#include "experiment/experimentmotion.h"
 #include "experiment/gains.h"
+#include "experiment/motiontimes.h"
 #include "model/axis.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
