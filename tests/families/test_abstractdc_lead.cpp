@@ -374,13 +374,13 @@ TEST_F(AbstractDcLead, GainsThatAreCalmerInTheEndAreWrittenInTheOrderInWhichThey
     ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 600.0), 60s));
     clock.advance(500ms);
     NoProgress unseen;
-    EXPECT_FALSE(test::run(clock, device->mayWrite(index("velocity.d"), 2))) << "with the P of now it would wrap";
+    EXPECT_FALSE(test::run(clock, device->mayWrite(index("velocity.d"), 200))) << "with the P of now it would wrap";
     const auto outcomes
-        = test::run(clock, writeParameters(*device, {{index("velocity.d"), 2}, {index("velocity.p"), 10}}, unseen));
+        = test::run(clock, writeParameters(*device, {{index("velocity.d"), 200}, {index("velocity.p"), 10}}, unseen));
     ASSERT_TRUE(outcomes);
     ASSERT_EQ(outcomes->size(), 2U);
     EXPECT_EQ(outcomes->at(0).raw, 10);
-    EXPECT_EQ(outcomes->at(1).raw, 2);
+    EXPECT_EQ(outcomes->at(1).raw, 200);
     stream.stop();
 }
 
