@@ -30,15 +30,17 @@ TEST(QuadQuad2DrvWiring, EveryOptionOfASimulatedBoardIsTakenOrRefusedWithItsName
     };
     EXPECT_EQ(refusal("quadquad2drv:1"), "a QuadQuad2Drv has no address but 0");
     EXPECT_EQ(refusal("quadquad2drv:0,load=1,scale=0.001,firmware=2.7,serial=x,inputs=datasheet,target=shifted"), "");
-    EXPECT_EQ(
-        refusal("quadquad2drv:0,load=0.5"), "'0.5' is no value for the option 'load' of a simulated QuadQuad2Drv");
+    const std::string where = "; docs/bench.md has the options of each family, and what they take";
+    EXPECT_EQ(refusal("quadquad2drv:0,load=0.5"),
+        "'0.5' is no value for the option 'load' of a simulated QuadQuad2Drv" + where);
     EXPECT_EQ(refusal("quadquad2drv:0,boot=nowhere"),
-        "'nowhere' is no value for the option 'boot' of a simulated QuadQuad2Drv");
-    EXPECT_EQ(refusal("quadquad2drv:0,fault=duplicate"), "a simulated QuadQuad2Drv has no option 'fault=duplicate'");
-    for (const char *without : {"jumper=closed", "state=bootloader"})
+        "'nowhere' is no value for the option 'boot' of a simulated QuadQuad2Drv" + where);
+    EXPECT_EQ(
+        refusal("quadquad2drv:0,fault=duplicate"), "a simulated QuadQuad2Drv has no option 'fault=duplicate'" + where);
+    for (const char *without : {"jumper=closed", "jumper=open", "state=bootloader"})
         EXPECT_EQ(refusal(std::string("quadquad2drv:0,") + without),
             "a bootloader needs the board's serial line, such as boot=pty:./boot");
-    EXPECT_EQ(refusal("quadquad2drv:0,jumper=open,state=application"), "");
+    EXPECT_EQ(refusal("quadquad2drv:0,boot=pty:./boot,jumper=open,state=application"), "");
     const auto made = BoardOptions::parse(*SimulatedUnit::parse(
         "quadquad2drv:0,motor=n20,load=7,firmware=2.7,boot=pty:./boot,jumper=closed,state=bootloader,scale=2.5,"
         "inputs=datasheet,target=shifted"));
