@@ -82,6 +82,18 @@ TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
     EXPECT_EQ(duplicate(0x12).knowledge().profile().counters.at("saves"), 7);
 }
 
+TEST_F(SessionLines, WhatIsKeptIsOfThePlaceWhetherOrNotTheUnitHasToldItsSerialNumber)
+{
+    memory.keepProfiles(folder.path().toStdString() + "/profiles");
+    WiredMotor &told = motorOn(*links[0]);
+    Identity identity = told.identity();
+    identity.serial = "A7";
+    told.setIdentity(identity);
+    told.knowledge().setCounter("saves", 7);
+    devices.forget(*links[0]);
+    EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7) << "it has not told it yet";
+}
+
 TEST_F(SessionLines, UntilItIsOnTheDiskWhatIsKnownIsRecalledFromWhereItWaits)
 {
     const std::string profiles = folder.path().toStdString() + "/profiles";
