@@ -79,7 +79,8 @@ class Replay(ContractTest):
         self.assert_error(2, "drive", device, "--mode", "duty", "--target", "0.1", "--for", "1", says="is a recording")
         self.assert_error(2, "set", device, "slot0.p=1", says="is a recording")
         recipe = self.record("ok.json", '{"recipe": 1, "name": "a", "family": "dmc60c"}')
-        for words in (["restart", device], ["flash", device, "resources/firmware/dmc60c-demo.hex"], ["service", recipe, self.link]):
+        firmware = f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex"
+        for words in (["restart", device], ["flash", device, firmware], ["service", recipe, self.link]):
             self.assert_error(2, *words, says="is a recording")
         self.assert_error(3, "watch", self.link + "/dmc60c:9", says="no dmc60c sends as number 9")
 
