@@ -139,7 +139,8 @@ void report(Console &console, const Outcome &outcome, std::uint64_t samples)
 
 Result<int> verdictOf(const Device &device, const Outcome &outcome)
 {
-    if (outcome.end == SetPointStream::End::LinkLost || device.link().state() == LinkState::Lost)
+    const bool isLost = device.link().state() == LinkState::Lost && !outcome.isGuarded(); // else it ended for safety before
+    if (outcome.end == SetPointStream::End::LinkLost || isLost)
         return fail(Fault::LinkLost,
             say("the link was lost while the motor was driven (%1)", device.link().loss().message()),
             say("see that the motor stands before anything else"));
