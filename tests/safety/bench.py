@@ -216,7 +216,12 @@ class SocketCable(Cable):
                 if source is listener:
                     near, _ = listener.accept()
                     far = socket.socket(socket.AF_UNIX)
-                    far.connect(self.far)
+                    try:
+                        far.connect(self.far)
+                    except OSError:  # the simulator has ended; a guardian may still look for it
+                        near.close()
+                        far.close()
+                        continue
                     pairs[near], pairs[far] = (far, True), (near, False)
                     continue
                 if source not in pairs:
