@@ -22,6 +22,9 @@ Task<void> hasNoOtherMaster(Device &device)
 Task<void> standsStill(Device &device)
 {
     co_await device.link().address().takesOrders(); // time may stand there: it would be waited for without end
+    if (device.identity().state == DeviceState::Duplicate)
+        co_return fail(Fault::Unsafe, say("several units answer as number %1", device.identity().address),
+            say("take the other one off, or give one of them another number"));
     co_await hasNoOtherMaster(device);
     if (device.identity().state != DeviceState::Bootloader && device.liveness().moving)
         co_return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));

@@ -10,11 +10,7 @@ namespace {
 /// Names of the states in which nothing may be done to a unit.
 Result<void> checkState(const Device &device, const Recipe &recipe)
 {
-    const std::string number = std::to_string(device.identity().address);
     switch (device.identity().state) {
-    case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, say("several units answer as number %1", number),
-            say("take the other one off, or give one of them another number"));
     case DeviceState::Unassigned:
         if (recipe.test)
             return fail(Fault::Unsafe, say("this unit has no number yet, and without one its motor may not be driven"),
@@ -25,6 +21,7 @@ Result<void> checkState(const Device &device, const Recipe &recipe)
             return fail(Fault::Unsafe, say("this unit waits in its bootloader, and the recipe has no firmware for it"),
                 say("name a firmware in the recipe"));
         return {};
+    case DeviceState::Duplicate: // standsStill() refuses it
     case DeviceState::Online: return {};
     }
     return {};

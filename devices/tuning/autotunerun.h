@@ -48,7 +48,7 @@ public:
     void lookWhere();
     /// Its time begins now: what was found out before was not of this motor.
     void beginClock();
-    /// s that are left of a minute (A13).
+    /// s that are left of a minute.
     [[nodiscard]] double left() const;
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive()

@@ -77,5 +77,14 @@ TEST_F(StandingStill, IsWhatABootloaderDoes)
     EXPECT_EQ(found(motor, standsStill, 0ns), "");
 }
 
+TEST_F(StandingStill, IsNothingThatSeveralUnitsOfOneNumberCanDo)
+{
+    Identity identity = identityOf(DeviceState::Duplicate);
+    identity.address = 7;
+    SeenMotor motor(*links[0], clock, identity);
+    EXPECT_EQ(found(motor, standsStill, 0ns),
+        "several units answer as number 7; take the other one off, or give one of them another number");
+}
+
 } // namespace
 } // namespace mb

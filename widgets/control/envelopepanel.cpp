@@ -148,7 +148,7 @@ void EnvelopePanel::write(bool all)
         if (all || !row.field->hasFocus())
             row.field->setText(value ? editText(std::round(*value * row.unit.scale * 1e6) / 1e6) : QString());
     }
-    judge();
+    showVerdict();
 }
 
 /// A field that says no limit leaves what held before it was typed into.
@@ -156,7 +156,7 @@ void EnvelopePanel::read(std::size_t at)
 {
     const Reading typed = readingOf(at);
     m_entered.*bounds[at].of.value = typed.good ? typed.value : m_rows[at].before;
-    judge();
+    showVerdict();
     m_book->enter(m_unit, m_entered);
     Q_EMIT changed();
 }
@@ -169,7 +169,7 @@ EnvelopePanel::Reading EnvelopePanel::readingOf(std::size_t at) const
     return {value, text.isEmpty() || (value && isBound(bounds[at].of, *value))};
 }
 
-void EnvelopePanel::judge()
+void EnvelopePanel::showVerdict()
 {
     m_fault.clear();
     for (std::size_t i = 0; i < bounds.size(); ++i) {

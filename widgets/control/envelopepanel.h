@@ -58,7 +58,7 @@ private:
     };
     [[nodiscard]] Reading readingOf(std::size_t at) const;
     void read(std::size_t at);
-    void judge();
+    void showVerdict();
     void write(bool all = false);
     void say();
     void take(const Envelope &limits);

@@ -159,16 +159,16 @@ void AxisDrives::sendTarget(int axis, const SetPoint &setPoint)
     const std::uint8_t mask = maskOf(axis);
     switch (setPoint.mode) {
     case Mode::Duty:
-        m_orders.aim(axis, setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower))));
+        m_orders.setTarget(axis, setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower))));
         break;
     case Mode::Velocity:
-        m_orders.aim(axis, setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
+        m_orders.setTarget(axis, setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
         break;
-    case Mode::Position: m_orders.aim(axis, setPositionTarget(mask, whole())); break;
+    case Mode::Position: m_orders.setTarget(axis, setPositionTarget(mask, whole())); break;
     case Mode::RampPosition:
-        m_orders.aim(axis, rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration));
+        m_orders.setTarget(axis, rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration));
         break;
-    case Mode::RampVelocity: m_orders.aim(axis, rampVelocity(mask, whole(), setPoint.acceleration)); break;
+    case Mode::RampVelocity: m_orders.setTarget(axis, rampVelocity(mask, whole(), setPoint.acceleration)); break;
     default: break;
     }
 }

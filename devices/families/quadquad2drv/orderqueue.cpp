@@ -29,7 +29,7 @@ void OrderQueue::enter(int axis, std::vector<Order> orders)
     begin();
 }
 
-void OrderQueue::aim(int axis, Bytes target)
+void OrderQueue::setTarget(int axis, Bytes target)
 {
     m_slots[static_cast<std::size_t>(axis)].target = std::move(target);
     begin();

@@ -26,7 +26,7 @@ public:
     /// Takes another mode: before what waits for other axes, and instead of what waits for this one.
     void enter(int axis, std::vector<Order> orders);
     /// Behind the mode; a newer target takes the place of one that has not left yet.
-    void aim(int axis, Bytes target);
+    void setTarget(int axis, Bytes target);
     /// The board will tell everything, where it does not.
     void learn();
     /// Nothing that was ordered before is sent any more, not even again; and nothing at all until stopEnded().

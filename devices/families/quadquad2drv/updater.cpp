@@ -178,7 +178,7 @@ Task<void> Updater::sendLine(std::size_t index)
             co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
         if (!answer)
             co_return fail(answer.error());
-        if (auto good = judge(index, *answer); !good)
+        if (auto good = checkAnswer(index, *answer); !good)
             co_return good;
         confirmed = *answer != text;
     }
@@ -187,14 +187,14 @@ Task<void> Updater::sendLine(std::size_t index)
         co_await Sleep(m_clock, next - m_clock.now());
     while (const auto more
         = m_console.take()) { // a second answer does not confirm the next line, but it may take back the first
-        if (auto good = judge(index, *more); !good)
+        if (auto good = checkAnswer(index, *more); !good)
             co_return good;
     }
     co_return {};
 }
 
 /// What the bootloader says to a line.
-Result<void> Updater::judge(std::size_t index, const std::string &answer)
+Result<void> Updater::checkAnswer(std::size_t index, const std::string &answer)
 {
     if (answer == m_image.lines()[index]) { // an echo, and a record may spell a word of failure
         m_progress.log(Severity::Info, Message::verbatim("< " + answer));

@@ -24,7 +24,7 @@ private:
     [[nodiscard]] Task<void> awaitBanner();
     [[nodiscard]] Task<void> sendAll();
     [[nodiscard]] Task<void> sendLine(std::size_t index);
-    [[nodiscard]] Result<void> judge(std::size_t index, const std::string &answer);
+    [[nodiscard]] Result<void> checkAnswer(std::size_t index, const std::string &answer);
     [[nodiscard]] Task<void> leave();
     [[nodiscard]] Task<void> verify();
     void tell(const std::string &text) { m_progress.log(Severity::Info, Message::verbatim("> " + text)); }
