@@ -174,7 +174,7 @@ TEST(QuadQuad2DrvSimulator, AHomeSwitchSetsTheCounterAsTheVendorsDemoSaysItDoes)
     EXPECT_NE(bench.board->axis(0).takeStatus() & status::inputActive, 0);
 }
 
-/// What packets 26 and 28 set acts in both PID modes, and ramps obey them.
+/// Packets 26 and 28 act in both PID modes, and ramps obey them.
 struct Ordered {
     const char *what;
     ControlMode mode;
