@@ -102,12 +102,13 @@ void Conditions::followLink(const LinkView &link)
 
 void Conditions::followDevice(const DeviceView &device)
 {
-    const QString key = QStringLiteral("device %1").arg(device.id.value);
     if (device.liveness.foreignMaster)
-        post(key + QStringLiteral("\ndriven"), BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+        post(QStringLiteral("driven %1").arg(device.id.value), BannerKind::Caution,
+            tr("Another master drives %1").arg(titleOf(device)),
             tr("Arming is off until it stops sending control frames."));
-    else if (device.identity->state == DeviceState::Duplicate)
-        post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
+    if (device.identity->state == DeviceState::Duplicate)
+        post(QStringLiteral("device %1").arg(device.id.value), BannerKind::Caution,
+            tr("Several units answer as %1").arg(titleOf(device)),
             tr("Control is locked. Assign one of them a new number from the menu of its row."));
 }
 

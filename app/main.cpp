@@ -2,11 +2,10 @@
 #include "app/about.h"
 #include "app/application.h"
 #include "app/crashreport.h"
+#include "app/documents.h"
 #include "app/folders/relativefolders.h"
 #include "app/folders/userfolders.h"
-#include "app/plotfile.h"
 #include "app/refusal.h"
-#include "app/reportfile.h"
 
 #include <cerrno>
 #include <chrono>

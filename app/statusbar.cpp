@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/statusbar.h"
 
-#include "app/footprint.h"
 #include "widgets/common/clocktext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/spoken.h"
+
+#include <fstream>
+
+#include <unistd.h>
 
 namespace mb {
 namespace {
@@ -16,6 +19,16 @@ constexpr std::chrono::seconds messageTime{8}, footprintTime{1};
 QString wordsOf(const Notice &notice)
 {
     return (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
+}
+
+/// Memory of this process that is in RAM now; 0 when the system does not tell.
+std::int64_t residentBytes()
+{
+    std::ifstream statm("/proc/self/statm");
+    std::int64_t total = 0;
+    std::int64_t resident = 0;
+    statm >> total >> resident;
+    return statm ? resident * ::sysconf(_SC_PAGESIZE) : 0;
 }
 
 } // namespace

@@ -203,10 +203,11 @@ Result<void> checkValues(const CLI::App &app, const Verb &verb)
     return {};
 }
 
-Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments, Globals globals)
+Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments)
 {
     const std::string name(verb.name);
     CLI::App app(std::string(verb.help), "motorbenchctl " + name);
+    Globals globals;
     declareGlobals(app, globals);
     CommandLine line;
     line.job = verb.declare(app);
@@ -231,39 +232,27 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     return line;
 }
 
-/// The words in front of the verb; yields how many there are, or what only prints something.
-Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Globals &globals, CommandLine &printed)
+/// How many words stand in front of the verb, which are understood behind it as well; or what only prints something.
+Result<std::size_t> parseFront(const std::vector<std::string> &arguments, CommandLine &printed)
 {
     std::size_t used = 0;
     for (; used < arguments.size() && arguments[used].starts_with('-'); ++used) {
         const std::string &word = arguments[used];
-        const auto equals = word.find('=');
-        std::string *const value = word.starts_with("--timeout") ? &globals.timeout
-            : word.starts_with("--retries")                      ? &globals.retries
-                                                                 : nullptr;
-        if (word == "--json")
-            globals.json = true;
-        else if (word == "--quiet")
-            globals.quiet = true;
-        else if (word == "--help" || word == "-h")
+        const std::string name = word.substr(0, word.find('='));
+        const bool takesValue = name == "--timeout" || name == "--retries";
+        if (word == "--help" || word == "-h")
             printed = {{}, {}, overview(), "help", overview()};
         else if (word == "--version")
             printed = {{}, {}, "motorbenchctl " MOTORBENCH_VERSION "\n", "version", MOTORBENCH_VERSION};
-        else if (value && !value->empty())
-            return isTwice("motorbenchctl", word.substr(0, 9));
-        else if (value && equals == 9)
-            *value = word.substr(equals + 1);
-        else if (value && word.size() == 9 && used + 1 < arguments.size())
-            *value = arguments[++used];
-        else
+        else if (!takesValue && word != "--json" && word != "--quiet")
             return fail(Fault::Usage, say("'%1' cannot stand before the verb", word),
                 say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
-        if (value && value->empty())
-            return emptyValue("motorbenchctl", word.substr(0, 9));
         if (!printed.text.empty())
             break;
+        if (takesValue && word == name)
+            ++used;
     }
-    return used;
+    return std::min(used, arguments.size());
 }
 
 } // namespace
@@ -302,16 +291,15 @@ std::vector<OptionRow> optionsOf(std::string_view name)
 
 Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
 {
-    Globals globals;
     CommandLine printed;
-    MB_TRY(const auto used, parseFront(arguments, globals, printed));
+    MB_TRY(const auto used, parseFront(arguments, printed));
     if (!printed.text.empty())
         return printed;
     if (used == arguments.size())
         return fail(Fault::Usage, say("a verb is missing"), say("'motorbenchctl help' lists them"));
     MB_TRY(const auto verb, knownVerb(arguments[used]));
-    arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(used + 1));
-    return parseVerb(*verb, std::move(arguments), std::move(globals));
+    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(used));
+    return parseVerb(*verb, std::move(arguments));
 }
 
 } // namespace mb::console

@@ -44,8 +44,7 @@ public:
         m_rest += text;
         std::size_t begin = 0;
         for (auto end = m_rest.find('\n'); end != std::string::npos; end = m_rest.find('\n', begin)) {
-            if (auto parsed = parse(std::string_view(m_rest).substr(begin, end - begin)); !parsed)
-                return parsed;
+            MB_TRY_VOID(parse(std::string_view(m_rest).substr(begin, end - begin)));
             begin = end + 1;
         }
         m_rest.erase(0, begin);
@@ -57,8 +56,7 @@ public:
     Result<void> finish(bool prints = true)
     {
         const std::string last = std::exchange(m_rest, {});
-        if (auto parsed = parse(last, true); !parsed)
-            return parsed;
+        MB_TRY_VOID(parse(last, true));
         print(prints);
         if (!prints)
             return {};

@@ -47,12 +47,10 @@ Task<void> readDevice(Console &console, Part &part)
 /// A file or a snapshot, which says itself for which family it is.
 Result<void> load(Console &console, Part &part, Notebook &notebook, const std::string &unit)
 {
-    auto file = loadSettings(part.named, &notebook, unit);
-    if (!file)
-        return fail(file.error());
-    if (auto once = linesOf(*file).checkKeys(); !once)
+    MB_TRY(auto file, loadSettings(part.named, &notebook, unit));
+    if (auto once = linesOf(file).checkKeys(); !once)
         return fail(once.error().about(part.named.text));
-    const auto family = familyOf(*file);
+    const auto family = familyOf(file);
     if (!family)
         return fail(Fault::OutOfRange, say("%1 is no parameter file", part.named.text),
             say("save one with 'motorbenchctl get DEVICE --file F'"));
@@ -60,7 +58,7 @@ Result<void> load(Console &console, Part &part, Notebook &notebook, const std::s
     if (!known)
         return fail(known.error().about(part.named.text));
     part.family = *known;
-    part.file = std::move(*file);
+    part.file = std::move(file);
     return {};
 }
 

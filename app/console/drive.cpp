@@ -139,7 +139,8 @@ void report(Console &console, const Outcome &outcome, std::uint64_t samples)
 
 Result<int> verdictOf(const Device &device, const Outcome &outcome)
 {
-    const bool isLost = device.link().state() == LinkState::Lost && !outcome.isGuarded(); // else it ended for safety before
+    const bool isLost
+        = device.link().state() == LinkState::Lost && !outcome.isGuarded(); // else it ended for safety before
     if (outcome.end == SetPointStream::End::LinkLost || isLost)
         return fail(Fault::LinkLost,
             say("the link was lost while the motor was driven (%1)", device.link().loss().message()),
@@ -163,8 +164,7 @@ Result<void> mayDrive(const Device &device, const SetPoint &setPoint)
 {
     if (setPoint.mode == Mode::Off)
         return {};
-    if (auto allowed = device.mayMove(); !allowed)
-        return allowed;
+    MB_TRY_VOID(device.mayMove());
     return device.check(setPoint);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace mb::console {
@@ -62,8 +63,7 @@ Result<void> readNumbers(SetPoint &setPoint, const DriveArguments &a)
         {"--ramp", a.ramp, 0.0, 1e6, setPoint.ramp},
     }};
     for (const Field &field : fields) {
-        MB_TRY(const auto number, optionalNumber(field.name, field.text, field.low, field.high));
-        field.value = number;
+        MB_TRY(field.value, optionalNumber(field.name, field.text, field.low, field.high));
     }
     return {};
 }
@@ -74,27 +74,23 @@ Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
         return holding();
     if (a.mode.empty())
         return fail(Fault::Usage, say("--mode is missing"), say("give a mode, or --halt alone to hold the position"));
-    const auto mode = parseMode(family, a.mode);
-    if (!mode)
-        return fail(mode.error());
-    if (a.target.empty() && *mode != Mode::Off)
+    MB_TRY(const auto mode, parseMode(family, a.mode));
+    if (a.target.empty() && mode != Mode::Off)
         return fail(Fault::Usage, say("--target is missing"),
-            unitOf(*mode).empty() ? say("give it in the unit of the mode") : say("give it in %1", unitOf(*mode)));
+            unitOf(mode).empty() ? say("give it in the unit of the mode") : say("give it in %1", unitOf(mode)));
     SetPoint setPoint;
     MB_TRY_VOID(readNumbers(setPoint, a));
-    if (*mode == Mode::Off && setPoint.target != 0.0)
+    if (unitOf(mode) == "counts" && setPoint.target != std::floor(setPoint.target))
+        return fail(Fault::OutOfRange, say("%1: %2 is not a whole number", "--target", a.target),
+            say("a position is so many counts"));
+    if (mode == Mode::Off && setPoint.target != 0.0)
         return fail(
             Fault::Usage, say("--mode off has no target"), say("leave --target out, or name the mode that is meant"));
-    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
-    const auto slot
-        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
-    if (!axis || !slot)
-        return fail(axis ? slot.error() : axis.error());
+    MB_TRY(setPoint.axis, integerOr(1, "--axis", a.axis, 1, family.capabilities.axes));
+    MB_TRY(setPoint.slot, integerOr(0, "--slot", a.slot, 0, family.capabilities.gainSlots - 1));
     if (a.brake && a.coast)
         return fail(Fault::Usage, say("--brake and --coast exclude each other"), say("give one"));
-    setPoint.mode = *mode;
-    setPoint.axis = *axis;
-    setPoint.slot = *slot;
+    setPoint.mode = mode;
     setPoint.reverseMotor = a.reverseMotor;
     setPoint.reverseSensor = a.reverseSensor;
     if (a.brake || a.coast)

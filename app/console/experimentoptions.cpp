@@ -41,15 +41,8 @@ Result<ExperimentOptions::Values> ExperimentOptions::parse(const Family &family)
             return fail(bounds.error().about(std::string("--") + bound.key));
         values.limits.*bound.value = number;
     }
-    const auto whichAxis = axis.empty() ? Result<int>(1) : parseInteger("--axis", axis, 1, family.capabilities.axes);
-    const auto whichSlot
-        = slot.empty() ? Result<int>(0) : parseInteger("--slot", slot, 0, family.capabilities.gainSlots - 1);
-    for (const Result<int> *number : {&whichAxis, &whichSlot}) {
-        if (!*number)
-            return fail(number->error());
-    }
-    values.axis = *whichAxis;
-    values.slot = *whichSlot;
+    MB_TRY(values.axis, integerOr(1, "--axis", axis, 1, family.capabilities.axes));
+    MB_TRY(values.slot, integerOr(0, "--slot", slot, 0, family.capabilities.gainSlots - 1));
     return values;
 }
 

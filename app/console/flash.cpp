@@ -53,12 +53,12 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
         return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("f1 and f4 are known"));
     const auto hasOne = [](const UpdateRoute &route) { return route.targets.empty(); };
     if (!target.empty() && std::ranges::all_of(family.routes, hasOne))
-        return fail(Fault::Usage, say("a %1 has one kind of chip", family.title), say("leave out --target"));
+        return fail(Fault::Usage, say("%1 has one kind of chip", family.title), say("leave out --target"));
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
     if (options.eraseSettings && std::ranges::none_of(family.routes, erases))
         return fail(Fault::Unsupported, say("%1 has no settings that an update could erase", family.key));
     if (family.routes.empty() && !options.via.empty())
-        return fail(Fault::Unsupported, say("a %1 is updated over its own link", family.title),
+        return fail(Fault::Unsupported, say("%1 is updated over its own link", family.title),
             say("leave the other way in out"));
     if (family.routes.empty())
         return {};
@@ -232,8 +232,7 @@ Task<int> flash(Console &console, FlashArguments arguments)
     const Identity &identity = device->identity();
     if (identity.state == DeviceState::Bootloader && !plan.target.family->routes.empty())
         console.note(device->selector() + ": " + identity.detail.english());
-    auto standing = standsStill(*device);
-    co_await std::move(standing);
+    co_await standsStill(*device);
     if (!arguments.options.dryRun) {
         Notebook notebook(console);
         co_await notebook.keepOrRefuse(*device, settings::Occasion::Update);

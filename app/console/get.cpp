@@ -68,9 +68,7 @@ Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> ind
 Task<int> get(Console &console, GetArguments arguments)
 {
     const auto target = co_await parseTarget(console, arguments.device);
-    auto indices = parseKeys(*target.family, arguments.keys);
-    if (!indices)
-        co_return fail(indices.error());
+    auto indices = co_await parseKeys(*target.family, arguments.keys);
     std::unique_ptr<OutputFile> file;
     if (!arguments.file.empty() && arguments.file != "-")
         file = std::make_unique<OutputFile>(arguments.file);
@@ -79,16 +77,16 @@ Task<int> get(Console &console, GetArguments arguments)
     Device *const device = co_await connect(console, target);
     co_await needsApplication(*device);
     if (arguments.keys.empty())
-        *indices = readable(*device);
-    const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, *indices);
+        indices = readable(*device);
+    const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, indices);
     const auto error = firstError(*device, outcomes);
     const bool any
         = std::ranges::any_of(outcomes, [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
-    if (error && (!any || outcomes.size() < indices->size()))
+    if (error && (!any || outcomes.size() < indices.size()))
         co_return fail(*error);
     if (arguments.keys.empty())
-        addWriteOnly(*device, *indices);
-    co_return co_await show(console, *device, *indices, file.get(), arguments.file, error);
+        addWriteOnly(*device, indices);
+    co_return co_await show(console, *device, indices, file.get(), arguments.file, error);
 }
 
 } // namespace

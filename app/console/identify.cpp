@@ -60,8 +60,7 @@ Task<double> nudge(Console &console, Device &device, int axis)
     tuning::ExperimentSurroundings surroundings;
     surroundings.interruption = &interruption;
     surroundings.note = [&console](const Message &text) { console.note(text.english()); };
-    auto nudging = tuning::nudge(device, stream, axis, surroundings);
-    const Result<double> moved = co_await std::move(nudging).attempt();
+    const Result<double> moved = co_await tuning::nudge(device, stream, axis, surroundings).attempt();
     const bool stopped = co_await tuning::confirmStop(device);
     if (device.link().state() == LinkState::Lost || stream.end() == SetPointStream::End::LinkLost) // it may be back
         co_return fail(Fault::LinkLost,
@@ -82,9 +81,7 @@ Task<int> identify(Console &console, IdentifyArguments arguments)
 {
     const auto target = co_await parseTarget(console, arguments.device);
     const Capabilities &can = target.family->capabilities;
-    const auto axis = arguments.axis.empty() ? Result<int>(1) : parseInteger("--axis", arguments.axis, 1, can.axes);
-    if (!axis)
-        co_return fail(axis.error());
+    const int axis = co_await integerOr(1, "--axis", arguments.axis, 1, can.axes);
     if (!can.identify)
         co_await mayNudge(console, target, arguments);
     Device *const device = co_await connect(console, target);
@@ -94,7 +91,7 @@ Task<int> identify(Console &console, IdentifyArguments arguments)
         co_await device->identify();
     } else {
         co_await Sleep(console.clock(), masterListen);
-        const double moved = co_await nudge(console, *device, *axis);
+        const double moved = co_await nudge(console, *device, axis);
         shown = "turned to and fro, " + numberText(std::round(std::abs(moved))) + " counts at first";
     }
     if (console.json())

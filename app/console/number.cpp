@@ -45,31 +45,29 @@ Task<int> renumber(Console &console, NumberArguments arguments)
     if (!target.family->capabilities.renumber)
         co_return fail(Fault::Unsupported, say("%1 has no number that can be changed", target.family->key),
             say("its place on the link is fixed"));
-    const auto number = parseInteger("NEW", arguments.number, 1, target.family->capabilities.lastAddress);
-    if (!number)
-        co_return fail(number.error());
+    const int number = co_await parseInteger("NEW", arguments.number, 1, target.family->capabilities.lastAddress);
     Device *const device = co_await connect(console, target);
     // What is refused for its range or its owner is refused before the device is told anything.
     console.onlyAsk();
-    co_await checkFree(console, *device, *number);
+    co_await checkFree(console, *device, number);
     const int old = device->identity().address;
     Notebook notebook(console);
     notebook.noteTrouble();
     NoProgress progress;
     auto renumbering
-        = settings::renumberKept(*device, *number, settings::Origin::Console, notebook.settings(), progress);
+        = settings::renumberKept(*device, number, settings::Origin::Console, notebook.settings(), progress);
     co_await std::move(renumbering);
-    const bool verified = device->identity().address == *number;
-    const bool pending = !verified && isPending(*device, *number);
+    const bool verified = device->identity().address == number;
+    const bool pending = !verified && isPending(*device, number);
     if (console.json()) {
         console.out().json({
             {QStringLiteral("device"), qt(device->selector())},
             {QStringLiteral("old"), old},
-            {QStringLiteral("new"), *number},
+            {QStringLiteral("new"), number},
             {QStringLiteral("verified"), pending ? QJsonValue() : QJsonValue(verified)},
         });
     } else {
-        console.out().line("number " + std::to_string(old) + " → " + std::to_string(*number)
+        console.out().line("number " + std::to_string(old) + " → " + std::to_string(number)
             + (verified       ? ", it answers as " + device->selector()
                     : pending ? ", in force after its next power cycle"
                               : ", not verified"));

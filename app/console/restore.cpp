@@ -110,7 +110,7 @@ Result<std::optional<NamedSettings>> nameSource(
                 say("leave it out"));
     }
     if (arguments.file.empty() && family.capabilities.keepsSettings)
-        return fail(Fault::Usage, say("a %1 keeps its settings itself", family.title),
+        return fail(Fault::Usage, say("settings of %1 are kept by the unit itself", family.title),
             say("name a FILE that 'motorbenchctl get DEVICE --file F' saved"));
     if (arguments.file.empty())
         return std::optional<NamedSettings>();
@@ -200,6 +200,8 @@ Task<int> restore(Console &console, RestoreArguments arguments)
 {
     const auto target = co_await parseTarget(console, arguments.device);
     const auto source = co_await nameSource(console, arguments, *target.family);
+    if (arguments.yes && (!source || source->kind != NamedSettings::Kind::Snapshot))
+        co_return fail(Fault::Usage, say("--yes means a snapshot"), say("leave it out"));
     std::optional<ParameterFile> file;
     if (source && source->kind == NamedSettings::Kind::File) {
         auto loaded = parsed(arguments.file, loadSettings(*source, nullptr, {}), *target.family);

@@ -28,6 +28,7 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched, Pu
     , m_time(device.clock(), device.link().address())
     , m_start(device.clock().now())
     , m_chosen(device.telemetry()->channels().size(), watched.channels.empty() && watched.states.empty())
+    , m_ofChannel(m_chosen.size())
     , m_silence(device.telemetry()->channels().size(),
           [&device](ChannelIndex channel) { return device.telemetry()->lost(channel); })
     , m_states(std::move(watched.states))
@@ -60,6 +61,7 @@ void SampleStream::print(const Sample &sample)
     if (!m_chosen[sample.channel.value] || sample.time < m_start)
         return;
     ++m_count;
+    ++m_ofChannel[sample.channel.value];
     m_silence.sample(sample.channel, sample.time);
     const Channel &channel = m_device.telemetry()->channels()[sample.channel.value];
     print(sample.time, channel.key, sample.value, channel.unit, sample.value);

@@ -5,6 +5,7 @@
 #include "app/console/publisher.h"
 #include "app/console/silentperiods.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
     SampleStream(Console &console, Device &device, Watched watched, Publisher *publisher = nullptr);
 
     [[nodiscard]] std::uint64_t count() const { return m_count; }
+    /// Of the channel of which most came.
+    [[nodiscard]] std::uint64_t most() const { return *std::ranges::max_element(m_ofChannel); }
     /// Samples known missing, those of a silent unit included, and frames that the link knows missing.
     [[nodiscard]] std::uint64_t lost() const;
 
@@ -49,6 +52,7 @@ private:
     Instant m_start; ///< what was measured before is not part of it
     std::vector<bool> m_chosen;
     std::uint64_t m_count = 0;
+    std::vector<std::uint64_t> m_ofChannel;
     std::uint64_t m_lostBefore = 0;
     SilentPeriods m_silence;
     std::vector<StateIndex> m_states;

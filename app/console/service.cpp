@@ -53,7 +53,7 @@ Result<std::vector<LinkAddress>> linksOf(const Console &console, const ServiceAr
         }
     }
     if (links.empty())
-        return fail(Fault::Usage, say("there is no link on which a %1 could be found", family.key),
+        return fail(Fault::Usage, say("there is no link to look for %1 on", family.key),
             say("name one, such as %1", "socketcan:can0"));
     return links;
 }
@@ -229,8 +229,7 @@ Task<int> serve(Console &console, ServiceArguments a)
     {
         Service running(console, *desk, plan, std::move(options));
         ran = co_await running.run(plan.links).attempt();
-        Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
-        co_await leaving;
+        co_await Sleep(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     }
     co_await desk->handOver();
     co_return ran;

@@ -35,7 +35,7 @@ Result<PlannedUnit> parseUnit(Console &console, const LinkAddress &link, const s
     const auto &kinds = family->links;
     if (!family->simulate || std::ranges::find(kinds, kindOf(link)) == kinds.end())
         return fail(Fault::Usage, say("%1 cannot be simulated on %2", unit.family, link.text()),
-            say("a %1 link is needed", toString(kinds.front())));
+            say("name a link of the kind %1", toString(kinds.front())));
     return PlannedUnit{link, std::move(unit), family};
 }
 
@@ -50,49 +50,41 @@ Result<void> rehearse(Console &console, const PlannedUnit &unit)
 
 Result<void> addGroup(Console &console, const std::vector<std::string> &group, std::uint64_t seed, SimulatePlan &plan)
 {
-    const auto link = LinkAddress::parse(group.front());
-    if (!link)
-        return fail(link.error());
-    if (link->isSimulated())
-        return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link->text()),
+    MB_TRY(const auto link, LinkAddress::parse(group.front()));
+    if (link.isSimulated())
+        return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link.text()),
             say("use it directly"));
-    if (link->scheme == "unix")
-        MB_TRY_VOID(UnixSpiServer::create(*link, console.clock()));
+    if (link.scheme == "unix")
+        MB_TRY_VOID(UnixSpiServer::create(link, console.clock()));
     if (group.size() < 2)
-        return fail(Fault::Usage, say("--on %1 names no device", link->text()), say("add one such as dmc60c:5"));
-    if (link->scheme == "pty")
-        MB_TRY_VOID(PtyLine::create(*link, console.clock()));
+        return fail(Fault::Usage, say("--on %1 names no device", link.text()), say("add one such as dmc60c:5"));
+    if (link.scheme == "pty")
+        MB_TRY_VOID(PtyLine::create(link, console.clock()));
     const bool isTwice = std::ranges::any_of(plan.links,
-        [&link](const LinkAddress &other) { return other.scheme == link->scheme && other.path == link->path; });
-    if (link->scheme == "unix" && (group.size() > 2 || isTwice))
-        return fail(Fault::Usage, say("%1 carries one board", link->text()), say("give each its own path"));
-    if (link->scheme == "pty" && isTwice)
+        [&link](const LinkAddress &other) { return other.scheme == link.scheme && other.path == link.path; });
+    if (link.scheme == "unix" && (group.size() > 2 || isTwice))
+        return fail(Fault::Usage, say("%1 carries one board", link.text()), say("give each its own path"));
+    if (link.scheme == "pty" && isTwice)
         return fail(
-            Fault::Usage, say("%1 is named twice", link->text()), say("put all nodes of a line behind one --on"));
-    plan.links.push_back(*link);
+            Fault::Usage, say("%1 is named twice", link.text()), say("put all nodes of a line behind one --on"));
+    plan.links.push_back(link);
     for (std::size_t i = 1; i < group.size(); ++i) {
-        auto unit = parseUnit(console, *link, group[i]);
-        if (!unit)
-            return fail(unit.error());
-        unit->unit.seed = seed * 1000 + plan.units.size();
-        if (auto good = rehearse(console, *unit); !good)
-            return good;
-        plan.units.push_back(std::move(*unit));
+        MB_TRY(auto unit, parseUnit(console, link, group[i]));
+        unit.unit.seed = seed * 1000 + plan.units.size();
+        MB_TRY_VOID(rehearse(console, unit));
+        plan.units.push_back(std::move(unit));
     }
     return {};
 }
 
 Result<SimulatePlan> check(Console &console, const SimulateArguments &arguments)
 {
-    const auto seed
-        = arguments.seed.empty() ? Result<int>(1) : parseInteger("--seed", arguments.seed, 0, 1'000'000'000);
-    if (!seed)
-        return fail(seed.error());
+    MB_TRY(const auto seed, integerOr(1, "--seed", arguments.seed, 0, 1'000'000'000));
     MB_TRY(const auto time, parseSpan(arguments.seconds));
     SimulatePlan plan;
     plan.time = time;
     for (const auto &group : arguments.on)
-        MB_TRY_VOID(addGroup(console, group, static_cast<std::uint64_t>(*seed), plan));
+        MB_TRY_VOID(addGroup(console, group, static_cast<std::uint64_t>(seed), plan));
     return plan;
 }
 

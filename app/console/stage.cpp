@@ -50,8 +50,7 @@ Task<int> performOn(Console &console, Target target, Performance performance)
     const Subscription patient = console.interrupted().add([] {});
     Stage stage(console, target.selector.link);
     const Result<int> performed = co_await performOnDevice(stage, std::move(target), performance).attempt();
-    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
-    co_await leaving;
+    co_await Sleep(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     if (!performed)
         co_return fail(inWordsOfTheConsole(performed.error()));
     co_return performed;

@@ -67,8 +67,8 @@ Result<Target> parseTarget(const Console &console, std::string_view text)
         selector.link = link;
         return Target{std::move(selector), family};
     }
-    return fail(Fault::Usage, say("%1 is not found on a %2 link", family->key, toString(kindOf(selector.link))),
-        say("a %1 link is needed", toString(family->links.front())));
+    return fail(Fault::Usage, say("%1 is not found on %2", family->key, selector.link.text()),
+        say("name a link of the kind %1", toString(family->links.front())));
 }
 
 Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
@@ -238,13 +238,16 @@ Result<double> parseNumber(std::string_view name, const std::string &text, doubl
 
 Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
 {
-    const auto number = parseNumber(name, text, low, high);
-    if (!number)
-        return fail(number.error());
-    if (*number != std::floor(*number))
+    MB_TRY(const auto number, parseNumber(name, text, low, high));
+    if (number != std::floor(number))
         return fail(
             Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("legal is %1 … %2", low, high));
-    return static_cast<int>(*number);
+    return static_cast<int>(number);
+}
+
+Result<int> integerOr(int usual, std::string_view name, const std::string &text, int low, int high)
+{
+    return text.empty() ? Result<int>(usual) : parseInteger(name, text, low, high);
 }
 
 Result<std::optional<Duration>> parseSpan(const std::string &text)

@@ -51,6 +51,8 @@ void noteRemark(Console &console, Link &link);
 /// A finite number inside [low, high]; OutOfRange names the argument.
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
 [[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);
+/// Of one that may be left out.
+[[nodiscard]] Result<int> integerOr(int usual, std::string_view name, const std::string &text, int low, int high);
 /// Of --for: nothing when it is not given.
 [[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);
 

@@ -66,12 +66,10 @@ Result<void> change(
     }
     if (changes.star) {
         MB_TRY(const auto kept, book.find(*changes.star));
-        if (auto starred = book.setStar(*changes.star, !kept.star); !starred)
-            return starred;
+        MB_TRY_VOID(book.setStar(*changes.star, !kept.star));
     }
     if (changes.note) {
-        if (auto noted = book.setNote(*changes.note, a.note.back()); !noted)
-            return noted;
+        MB_TRY_VOID(book.setNote(*changes.note, a.note.back()));
     }
     return changes.remove ? book.remove(*changes.remove) : Result<void>();
 }

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/ending.h"
-#include "app/console/openpublisher.h"
+#include "app/console/mqttpublisher.h"
 #include "app/console/reopening.h"
 #include "app/console/samplestream.h"
 #include "app/console/target.h"
+#include "app/console/udppublisher.h"
 #include "app/console/verb.h"
+#include "async/mailbox.h"
+#include "async/sleep.h"
+#include "transport/workerthreads.h"
 
+#include <QSocketNotifier>
+
+#include <cmath>
 #include <memory>
 
 namespace mb::console {
@@ -81,6 +88,15 @@ void summarize(Console &console, const SampleStream &samples, const Publisher *p
     }
 }
 
+/// A device, or its line, may have less than was asked for.
+void noteRate(Console &console, double asked, std::uint64_t most, double seconds)
+{
+    const double wanted = asked * seconds;
+    if (wanted >= 10.0 && static_cast<double>(most) < 0.9 * wanted)
+        console.note("--rate " + numberText(asked) + ": " + numberText(std::round(static_cast<double>(most) / seconds))
+            + " samples a second came, of a channel");
+}
+
 /// After the link came back: the device may have lost power with it.
 Task<void> raiseAgain(Device &device, WatchPlan plan)
 {
@@ -103,7 +119,9 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
         if (publisher)
             publisher->finish();
         const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(device.clock().now() - start);
-        summarize(console, samples, publisher, static_cast<double>(took.count()) / 1000.0);
+        const double seconds = static_cast<double>(took.count()) / 1000.0;
+        noteRate(console, plan.rate, samples.most(), seconds);
+        summarize(console, samples, publisher, seconds);
     }
     if (ending.cause() == Ending::Cause::LinkLost)
         error = ending.loss();
@@ -124,6 +142,38 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
     if (error)
         co_return fail(*error);
     co_return exitDone;
+}
+
+constexpr Duration usualLimit = std::chrono::seconds(5);
+
+using Published = std::unique_ptr<Publisher>;
+
+Result<Published> openNow(const PublishAddress &address, Duration limit)
+{
+    if (address.scheme == "udp")
+        return UdpPublisher::open(address);
+    return MqttPublisher::open(address, limit);
+}
+
+/// Resolves the host and, with mqtt, waits for the broker to take us: for --timeout, 5 s without it, in a thread of its own, so that a
+/// signal ends the waiting. LinkLost with cause and remedy otherwise.
+Task<Published> openPublisher(Console &console, PublishAddress address)
+{
+    const Duration limit = console.options().patience.timeout.value_or(usualLimit);
+    Mailbox mail;
+    QSocketNotifier arrival(mail.descriptor(), QSocketNotifier::Read);
+    QObject::connect(&arrival, &QSocketNotifier::activated, &arrival, [&mail] { mail.drain(); });
+    WorkerThreads worker(mail, std::chrono::milliseconds(0)); // what hangs there has nothing to lose
+    auto opening = inBackground<Published>(
+        worker, console.clock(), address.scheme, limit, [address, limit] { return openNow(address, limit); },
+        WhenLate::Drop);
+    Result<Published> opened = co_await std::move(opening).attempt();
+    co_await Sleep(console.clock(), Duration::zero());
+    if (!opened && opened.error().fault == Fault::Timeout)
+        co_return fail(silence(address));
+    if (!opened)
+        co_return fail(opened.error());
+    co_return std::move(*opened);
 }
 
 Task<int> watch(Console &console, WatchArguments arguments)

@@ -50,8 +50,7 @@ void Links::end(const std::string &address, const Result<void> &result)
 Task<void> Links::openAll(std::string name, std::vector<LinkAddress> addresses)
 {
     for (const LinkAddress &one : addresses) {
-        auto opening = m_context.session.openLinkSoon(one);
-        const Result<Link *> link = co_await std::move(opening).attempt();
+        const Result<Link *> link = co_await m_context.session.openLinkSoon(one).attempt();
         const bool isAsked = !m_openings[name].finished.empty();
         if (isAsked)
             m_closedByHand.erase(one.text());

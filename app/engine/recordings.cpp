@@ -190,8 +190,7 @@ void Recordings::carryOut(const orders::SteerReplay &order, const Finished &fini
 Result<void> Recordings::steer(Link &link, ReplayLink &replay, const ReplayOrder &order)
 {
     if (order.pace) {
-        if (auto paced = replay.setPace(*order.pace); !paced)
-            return paced;
+        MB_TRY_VOID(replay.setPace(*order.pace));
     }
     if (order.position) {
         m_motion.forget(link);

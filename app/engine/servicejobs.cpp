@@ -46,8 +46,7 @@ Result<void> ServiceJobs::begin(const orders::ServeUnits &order)
         return alreadyServing();
     if (!m_books.visits || !order.matter)
         return fail(Fault::Unsupported);
-    if (auto lent = m_links.take(order.links); !lent)
-        return lent; // and what was served before stays in sight
+    MB_TRY_VOID(m_links.take(order.links)); // and what was served before stays in sight
     m_permit.arm(false);
     m_queue.reset();
     m_last = {};
@@ -162,8 +161,7 @@ Result<void> ServiceJobs::again(const std::function<Result<void>()> &order)
     if (!m_queue)
         return fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
     const bool idle = !isRunning();
-    if (auto lent = idle ? m_links.takeAgain() : Result<void>(); !lent)
-        return lent;
+    MB_TRY_VOID(idle ? m_links.takeAgain() : Result<void>());
     m_trouble = {};
     const Result<void> done = order();
     if (done)

@@ -197,8 +197,7 @@ Result<void> OutputFile::replace()
 Result<void> writeFile(const std::string &path, std::string_view bytes)
 {
     OutputFile file(path);
-    if (auto opened = file.open(); !opened)
-        return opened;
+    MB_TRY_VOID(file.open());
     file.write(bytes);
     return file.commit();
 }

@@ -32,8 +32,7 @@ Result<void> checkPlan(const Family &family, const ExperimentPlan &plan)
     const double beat = inSeconds(family.capabilities.commandPeriod);
     MB_TRY_VOID(Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds, beat));
     for (const ParameterChange &change : plan.gains) {
-        if (auto tried = checkTried(family, change.index); !tried)
-            return tried;
+        MB_TRY_VOID(checkTried(family, change.index));
     }
     return {};
 }

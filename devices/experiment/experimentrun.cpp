@@ -72,20 +72,17 @@ Task<void> ExperimentRun::prepare()
         m_start.origin -= std::exchange(place, 0.0);
     const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_start.origin, m_plan.gains);
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
-    const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
-    if (!envelope)
-        co_return fail(envelope.error());
+    const auto envelope
+        = co_await resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
     const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? place : 0.0);
-    const auto stimulus = Stimulus::make(
+    const auto stimulus = co_await Stimulus::make(
         m_plan.profile, from, m_plan.to, m_plan.seconds, inSeconds(m_device.family().capabilities.commandPeriod));
-    if (!stimulus)
-        co_return fail(stimulus.error());
-    if (stimulus->from == stimulus->to)
+    if (stimulus.from == stimulus.to)
         co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another target"));
-    co_await checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_start.origin, m_start.gone);
-    m_trial.stimulus = *stimulus;
-    m_trial.stimulus.ends = stimulus->ends || m_plan.turnsBack;
-    m_trial.envelope = *envelope;
+    co_await checkInside(envelope, m_plan.mode, stimulus, m_plan.repeat, m_start.origin, m_start.gone);
+    m_trial.stimulus = stimulus;
+    m_trial.stimulus.ends = stimulus.ends || m_plan.turnsBack;
+    m_trial.envelope = envelope;
     co_await checkTargets(m_plan.gains.empty());
     if (m_plan.keep != Keep::Always) {
         m_owed = co_await readReplaced(m_device, m_plan.gains);

@@ -82,8 +82,7 @@ Result<void> checkPutBack(const Device &device, Mode mode, int axis, int slot)
     for (const ParameterIndex index : rows) {
         if (!device.offers(index) || isReadable(device, index))
             continue;
-        if (auto written = checkWritten(device, index); !written)
-            return written;
+        MB_TRY_VOID(checkWritten(device, index));
     }
     return {};
 }

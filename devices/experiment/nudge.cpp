@@ -38,8 +38,7 @@ Task<void> guardWay(Device &device, SetPointStream &stream, TrialRecorder &recor
     guards.highestBus = traits.highestBus;
     guards.longest = longestNudge;
     std::optional<Trip> trip;
-    auto checking = checkDirection(device, stream, recorder, axis, guards, trip);
-    (void)co_await std::move(checking);
+    (void)co_await checkDirection(device, stream, recorder, axis, guards, trip);
     guards.envelope.travel = way + traits.nudgeTravel;
     guards.origin = recorder.latest("position").value_or(0.0);
     recorder.guard(guards);
@@ -80,8 +79,7 @@ Task<double> toAndFro(Device &device, SetPointStream &stream, TrialRecorder &rec
     for (int again = 0; again < 3; ++again) { // back, to and back
         setPoint.target = -setPoint.target;
         ++setPoint.order;
-        auto turning = turn(device, stream, recorder, setPoint);
-        (void)co_await std::move(turning);
+        (void)co_await turn(device, stream, recorder, setPoint);
     }
     co_return moved;
 }
@@ -98,8 +96,7 @@ Task<double> nudge(Device &device, SetPointStream &stream, int axis, const Exper
     if (way > 0.0) // its guards need them
         co_await rates.raise(axis, traits->rate, surroundings);
     const Result<double> moved = co_await toAndFro(device, stream, recorder, axis, way).attempt();
-    auto lowering = rates.lower(surroundings);
-    co_await std::move(lowering);
+    co_await rates.lower(surroundings);
     co_return moved;
 }
 

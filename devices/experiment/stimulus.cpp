@@ -161,11 +161,6 @@ std::vector<double> Stimulus::edges() const
     return found;
 }
 
-double Stimulus::hold() const
-{
-    return profile == Profile::Square ? period / 2.0 : time;
-}
-
 bool prbsBit(int index)
 {
     return prbsBits[static_cast<std::size_t>(index % prbsLength)];

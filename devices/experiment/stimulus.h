@@ -40,7 +40,7 @@ struct Stimulus {
     /// Jumps from `from` to `to`, s after the beginning; none for profiles that never jump.
     [[nodiscard]] std::vector<double> edges() const;
     /// How long the target stays after such a jump.
-    [[nodiscard]] double hold() const;
+    [[nodiscard]] double hold() const { return profile == Profile::Square ? period / 2.0 : time; }
 
     friend bool operator==(const Stimulus &, const Stimulus &) = default;
 };

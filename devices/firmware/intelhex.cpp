@@ -127,8 +127,7 @@ Status IntelHexReader::read(std::string_view text)
         if (line.empty())
             continue;
         blank = false;
-        if (auto status = readLine(line); !status)
-            return status;
+        MB_TRY_VOID(readLine(line));
     }
     m_line = std::max(m_line, std::uint32_t{1});
     if (blank)
@@ -146,8 +145,7 @@ Status IntelHexReader::readLine(std::string_view line)
         return wrong(say("something follows the end-of-file record"));
     if (line.front() != ':')
         return wrong(say("%1 where a record begins with a colon, is this an Intel HEX file?", named(line.front())));
-    if (auto status = decode(line.substr(1)); !status)
-        return status;
+    MB_TRY_VOID(decode(line.substr(1)));
     return interpret();
 }
 

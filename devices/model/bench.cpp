@@ -104,8 +104,7 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
                 unit.faults.push_back(faults[i]);
             }
             unit.seed = m_seed * 1000 + m_simulators.size();
-            if (auto added = addUnit(*family, std::move(unit)); !added)
-                return added;
+            MB_TRY_VOID(addUnit(*family, std::move(unit)));
         }
     }
     for (std::size_t i = 0; i < faults.size() && !m_simulators.empty(); ++i) {
@@ -119,8 +118,7 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
 Result<void> Bench::addUnit(const Family &family, SimulatedUnit unit)
 {
     auto link = m_bus->makeEnd(m_address);
-    if (auto opened = link->open(); !opened)
-        return opened;
+    MB_TRY_VOID(link->open());
     MB_TRY(auto simulator, family.simulate(*link, m_clock, unit));
     m_links.push_back(std::move(link));
     m_simulators.push_back(std::move(simulator));

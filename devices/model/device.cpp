@@ -140,10 +140,8 @@ Result<void> Device::mayMove() const
     }
     if (m_liveness.foreignMaster)
         return fail(Fault::Unsafe, say("another master drives %1", selector()), say("stop it there first"));
-    if (auto guarded = m_guard.possible(); !guarded)
-        return guarded;
-    if (auto own = doMayMove(); !own)
-        return own;
+    MB_TRY_VOID(m_guard.possible());
+    MB_TRY_VOID(doMayMove());
     if (m_liveness.restarted) // SetPointStream would stop it at once
         return fail(Fault::Unsafe, say("%1 has restarted, and nobody has looked at it since", selector()),
             say("look at it again"));
@@ -158,16 +156,13 @@ Result<void> Device::command(const SetPoint &setPoint)
         stop();
         return {};
     }
-    if (auto allowed = mayMove(); !allowed)
-        return allowed;
+    MB_TRY_VOID(mayMove());
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
     if (m_gate.isStopPressed())
         return fail(Fault::Unsafe, say("STOP was pressed"));
-    if (auto checked = check(setPoint); !checked)
-        return checked;
-    if (auto sent = doCommand(setPoint); !sent)
-        return sent;
+    MB_TRY_VOID(check(setPoint));
+    MB_TRY_VOID(doCommand(setPoint));
     if (m_link.state() != LinkState::Open)
         return fail(m_link.notOpen()); // it went with this order, and a stop is owed
     m_stop.driven();
@@ -176,8 +171,7 @@ Result<void> Device::command(const SetPoint &setPoint)
 
 Result<void> Device::releaseMoves()
 {
-    if (auto allowed = mayMove(); !allowed)
-        return allowed;
+    MB_TRY_VOID(mayMove());
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
     if (m_gate.isStopPressed())

@@ -46,8 +46,7 @@ Result<void> DeviceGuard::possible() const
 
 Result<void> DeviceGuard::call()
 {
-    if (auto allowed = possible(); !allowed)
-        return allowed;
+    MB_TRY_VOID(possible());
     m_look.stop();
     if (!isNeeded() || (m_watch && !hasFailed()))
         return {};

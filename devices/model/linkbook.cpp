@@ -48,6 +48,7 @@ Result<Link *> LinkBook::open(const LinkAddress &address)
 
 Task<Link *> LinkBook::openSoon(LinkAddress address)
 {
+    const Turns::Turn turn = co_await m_turns.try_emplace(address.text(), m_clock).first->second.take();
     if (Link *const known = find(address)) {
         const bool wasOpen = known->state() == LinkState::Open;
         co_await known->openSoon();

@@ -4,14 +4,17 @@
 #include "async/listeners.h"
 #include "async/noncopyable.h"
 #include "async/scope.h"
+#include "async/turns.h"
 #include "model/bench.h"
 #include "model/family.h"
 #include "transport/backends/replay.h"
 #include "transport/link.h"
 
 #include <list>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mb {
@@ -28,7 +31,7 @@ public:
     void setIdentify(Identify identify) { m_identify = std::move(identify); }
     /// Opens a link, or yields the one that is open under this address.
     [[nodiscard]] Result<Link *> open(const LinkAddress &address);
-    /// open() for a thread that must not wait for a driver (Link::openSoon).
+    /// open() for a thread that must not wait for a driver (Link::openSoon). Who asks for one that is being opened waits for what comes of it.
     [[nodiscard]] Task<Link *> openSoon(LinkAddress address);
     /// The same for a lost link that may be back; its state tells what comes of it.
     void reopen(Link &link);
@@ -72,6 +75,7 @@ private:
     std::span<const Family *const> m_families;
     Background *m_background = nullptr;
     Identify m_identify;
+    std::map<std::string, Turns> m_turns; ///< of opening, by address: a port that is open is in use
     Listeners<Link &> m_opened;
     Listeners<Link &> m_lost;
     Listeners<> m_batchEnded;

@@ -49,23 +49,19 @@ Result<OptionalRaw> valueOf(const Parameter &parameter, const QJsonValue &value)
 /// Of a row that has both, one may have been edited and the other forgotten: which one nobody can know.
 Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
 {
-    const auto raw = rawOf(parameter, row.value(QLatin1String("raw")));
-    if (!raw)
-        return fail(raw.error());
-    const auto value = valueOf(parameter, row.value(QLatin1String("value")));
-    if (!value)
-        return fail(value.error());
-    if (*raw && *value && **raw != **value)
+    MB_TRY(const OptionalRaw raw, rawOf(parameter, row.value(QLatin1String("raw"))));
+    MB_TRY(const OptionalRaw value, valueOf(parameter, row.value(QLatin1String("value"))));
+    if (raw && value && *raw != *value)
         return fail(Fault::OutOfRange,
-            say("%1: its value says %2, its raw value %3", parameter.key, toText(parameter, **value),
-                toText(parameter, **raw)),
+            say("%1: its value says %2, its raw value %3", parameter.key, toText(parameter, *value),
+                toText(parameter, *raw)),
             say("delete the one of the two that is old"));
     const QString unit = row.value(QLatin1String("unit")).toString(qt(parameter.unit));
-    if (!*raw && *value && unit != qt(parameter.unit))
+    if (!raw && value && unit != qt(parameter.unit))
         return fail(Fault::OutOfRange,
             say("%1: its value is in '%2', its unit is '%3'", parameter.key, unit.toStdString(), parameter.unit),
             say("write it in that unit"));
-    return *raw ? *raw : *value;
+    return raw ? raw : value;
 }
 
 /// One that is spelt otherwise would be taken for a value that nobody knew.

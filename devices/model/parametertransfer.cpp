@@ -93,11 +93,9 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
         TransferOutcome cleared = co_await afterClear(device, change);
         co_return cleared;
     }
-    auto read = device.read(change.index);
-    Result<std::int64_t> back = co_await std::move(read).attempt();
+    Result<std::int64_t> back = co_await device.read(change.index).attempt();
     if (back && *back != change.raw && parameter.nature != Nature::Live) {
-        Sleep lateAnswers(device.clock(), latestAnswer); // that may have been the answer to an earlier question
-        co_await lateAnswers;
+        co_await Sleep(device.clock(), latestAnswer); // that may have been the answer to an earlier question
         back = co_await device.read(change.index).attempt();
     }
     if (!back) {
@@ -113,33 +111,38 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
     co_return outcome;
 }
 
-} // namespace
-
-Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes)
+/// Of changes in the order of writing, which outlive the task.
+Task<std::optional<TransferOutcome>> firstRefused(Device &device, std::span<const ParameterChange> arranged)
 {
-    arrangeForWriting(device.family(), device.parameters(), changes);
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        const ParameterChange change = changes[i];
-        auto asking = device.mayWrite(change.index, change.raw, std::span(changes).first(i));
-        const Result<void> allowed = co_await std::move(asking).attempt();
+    for (std::size_t i = 0; i < arranged.size(); ++i) {
+        const ParameterChange change = arranged[i];
+        const Result<void> allowed = co_await device.mayWrite(change.index, change.raw, arranged.first(i)).attempt();
         if (!allowed)
             co_return TransferOutcome{change.index, fail(allowed.error()), std::nullopt};
     }
     co_return std::nullopt;
 }
 
+} // namespace
+
+Task<std::optional<TransferOutcome>> findRefused(Device &device, std::vector<ParameterChange> changes)
+{
+    arrangeForWriting(device.family(), device.parameters(), changes);
+    co_return co_await firstRefused(device, changes);
+}
+
 Task<std::vector<TransferOutcome>> writeParameters(
     Device &device, std::vector<ParameterChange> changes, Progress &progress)
 {
     std::vector<TransferOutcome> outcomes;
+    arrangeForWriting(device.family(), device.parameters(), changes);
     if (changes.size() > 1) { // the write of one asks by itself
-        if (auto refused = co_await findRefused(device, changes)) {
+        if (auto refused = co_await firstRefused(device, changes)) {
             outcomes.push_back(std::move(*refused));
             co_return outcomes;
         }
     }
     const int total = static_cast<int>(changes.size());
-    arrangeForWriting(device.family(), device.parameters(), changes);
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step(say("Writing %1", key), static_cast<int>(outcomes.size()), total);

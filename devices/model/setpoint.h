@@ -26,7 +26,7 @@ struct SetPoint {
     int slot = 0; ///< gain set, where the device has several
     std::optional<bool>
         brake;         ///< override: true brakes, false coasts at zero output; nothing leaves the stored setting
-    double ramp = 0.0; ///< greatest change of output in duty per second, 0 = immediate
+    double ramp = 0.0; ///< greatest change of output in duty per second, 0 = OutputOptions::usualRamp, or immediate
     bool reverseMotor = false;
     bool reverseSensor = false;
     bool overrideLimits = false; ///< the two flags below replace the device's own enables
@@ -45,6 +45,7 @@ struct SetPoint {
 /// What of a SetPoint's options for the output means something; DeviceDriver::check() refuses the rest.
 struct OutputOptions {
     std::span<const Mode> ramp{}; ///< modes in which it is kept
+    double usualRamp = 0.0;       ///< what a ramp of 0 means
     bool brake = false;
     bool directions = false; ///< those of motor and sensor can be exchanged
     bool limits = false;     ///< its limits can be overridden

@@ -50,16 +50,13 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     if (setPoint.mode != Mode::Off) {
         if (m_calledOff && *m_calledOff)
             return fail(Fault::Cancelled, say("the user stopped it"));
-        if (auto allowed = m_device.mayMove(); !allowed)
-            return allowed;
-        if (auto checked = m_device.check(setPoint); !checked)
-            return checked;
+        MB_TRY_VOID(m_device.mayMove());
+        MB_TRY_VOID(m_device.check(setPoint));
     }
     m_setPoints.clear();
     m_glides.clear();
     remember(glided(setPoint, glide));
-    if (auto sent = sendOrWait(); !sent)
-        return sent;
+    MB_TRY_VOID(sendOrWait());
     m_running = true;
     m_lease.hold(lease);
     watch();
@@ -107,11 +104,6 @@ void SetPointStream::advanceGlides()
     std::erase_if(m_glides, [](const auto &glide) { return glide.second.isThere(); });
 }
 
-bool SetPointStream::isGliding() const
-{
-    return !m_glides.empty();
-}
-
 void SetPointStream::remember(const SetPoint &setPoint)
 {
     m_setPoint = setPoint;
@@ -124,8 +116,7 @@ Result<void> SetPointStream::sendAll()
 {
     sent(); // first: what a command changes may ask at once how late this is
     for (const SetPoint &setPoint : m_setPoints) {
-        if (auto sent = m_device.command(setPoint); !sent)
-            return sent;
+        MB_TRY_VOID(m_device.command(setPoint));
     }
     return {};
 }
@@ -140,8 +131,7 @@ Result<void> SetPointStream::sendOrWait()
 {
     DeviceGuard &guard = m_device.guard();
     if (m_setPoint.mode != Mode::Off) {
-        if (auto called = guard.call(); !called)
-            return called;
+        MB_TRY_VOID(guard.call());
     }
     m_waiting = m_setPoint.mode != Mode::Off && !guard.stands();
     if (m_waiting)
@@ -199,8 +189,7 @@ Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &gl
 {
     if (!checkDevice())
         return fail(Fault::Unsafe, say("the motor was stopped"), say("arm again"));
-    if (auto checked = m_device.check(setPoint); !checked)
-        return checked;
+    MB_TRY_VOID(m_device.check(setPoint));
     remember(glided(setPoint, glide));
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {

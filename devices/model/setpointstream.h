@@ -66,7 +66,7 @@ public:
     /// The latest; while it glides, with the target of the newest frame.
     [[nodiscard]] const SetPoint &setPoint() const { return m_setPoint; }
     /// Some axis is still on its way to its target.
-    [[nodiscard]] bool isGliding() const;
+    [[nodiscard]] bool isGliding() const { return !m_glides.empty(); }
     /// Of every axis that is kept alive.
     [[nodiscard]] const std::vector<SetPoint> &setPoints() const { return m_setPoints; }
     [[nodiscard]] End end() const { return m_end; }

@@ -127,8 +127,7 @@ void RollingRecorder::note(Instant time, const std::string &text)
 
 Result<void> RollingRecorder::beginSegment(Instant now)
 {
-    if (auto locked = lockFolder(); !locked)
-        return locked;
+    MB_TRY_VOID(lockFolder());
     std::string number = std::to_string(m_number++);
     number.insert(0, 6 - std::min<std::size_t>(number.size(), 6), '0');
     Segment segment{m_path + "/segment-" + number + ".mcap", now, now, 0, 0, {}};
@@ -276,12 +275,10 @@ Result<void> RollingRecorder::missWhatIsGone()
 Result<void> RollingRecorder::writeSegment(Instant now, Instant horizon)
 {
     if (m_writer && now - m_segments.back().begun >= m_options.segment) {
-        if (auto ended = endSegment(); !ended)
-            return ended;
+        MB_TRY_VOID(endSegment());
     }
     if (!m_writer) {
-        if (auto begun = beginSegment(now); !begun)
-            return begun;
+        MB_TRY_VOID(beginSegment(now));
     }
     if (m_aboutChanged) {
         for (const auto &[name, facts] : m_about)

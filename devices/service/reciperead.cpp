@@ -169,7 +169,7 @@ private:
         if (!store.isUndefined() && !store.isBool())
             wrong("parameters.store", say("'store' must be true or false"));
         if (store.toBool(false) && !m_recipe.family->capabilities.keepsSettings)
-            wrong("parameters.store", say("a %1 keeps no setting without power", m_recipe.family->key),
+            wrong("parameters.store", say("%1 keeps no setting without power", m_recipe.family->key),
                 say("leave 'store' out: its settings are lost with its power"));
         m_recipe.parameters = ParameterRule{text(*parameters, "parameters", "file"), store.toBool(false)};
     }

@@ -80,11 +80,9 @@ Task<std::vector<Visit>> ServiceBook::visits(VisitFilter filter)
 Task<std::optional<int>> ServiceBook::number(NumberWish wish)
 {
     for (;;) {
-        const auto given = giveNumber(m_database, wish);
-        if (!given)
-            co_return fail(given.error());
-        if (*given)
-            co_return *given;
+        const std::optional<int> given = co_await giveNumber(m_database, wish);
+        if (given)
+            co_return given;
         const std::string token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
         const auto block = co_await takeBlock(m_database, token, wish, numbersInBlock, m_station, now());
         if (block.isEmpty())

@@ -96,10 +96,11 @@ Result<std::string> SettingsBook::setTag(const std::string &place, const std::st
                                 : m_database.run("INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)",
                                     {qt(place), qt(tag), now()}));
         MB_TRY_VOID(moveDebts(before, resolved(place)));
-        MB_TRY_VOID(
-            m_database.run("SELECT place FROM tag WHERE name = ? AND place <> ? AND substr(place, 1, length(?)) = ?",
-                {qt(tag), qt(place), line, line}, [&left](const QSqlQuery &row) { left = textAt(row, 0); }));
-        return m_database.run("DELETE FROM tag WHERE place = ?", {qt(left)});
+        const std::string others = "FROM tag WHERE name = ? AND place <> ? AND substr(place, 1, length(?)) = ?";
+        const QVariantList which{qt(tag), qt(place), line, line};
+        MB_TRY_VOID(m_database.run(
+            ("SELECT place " + others).c_str(), which, [&left](const QSqlQuery &row) { left = textAt(row, 0); }));
+        return m_database.run(("DELETE " + others).c_str(), which);
     }));
     return left;
 }

@@ -107,9 +107,7 @@ Task<void> SharedJournal::deliverBatch(std::vector<KeptVisit> batch)
     auto delivering = askServer<bool>([batch = std::move(batch), numbers = *numbers](const JournalServer &server) {
         return server.deliver(batch, numbers).map([] { return true; });
     });
-    const Result<bool> delivered = co_await std::move(delivering).attempt();
-    if (!delivered)
-        co_return fail(delivered.error());
+    co_await std::move(delivering);
     co_return {};
 }
 
@@ -123,11 +121,9 @@ Result<std::string> SharedJournal::tokenFor(const std::string &scope)
     if (!token.empty())
         return token;
     token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-    auto kept
-        = sql.run("INSERT INTO service_block (token, scope, first, last, station, time) VALUES (?, ?, 1, 0, ?, ?)",
-            {qt(token), qt(scope), qt(m_book.station()), m_book.now()});
-    if (!kept)
-        return fail(kept.error());
+    MB_TRY_VOID(
+        sql.run("INSERT INTO service_block (token, scope, first, last, station, time) VALUES (?, ?, 1, 0, ?, ?)",
+            {qt(token), qt(scope), qt(m_book.station()), m_book.now()}));
     return token;
 }
 
@@ -137,11 +133,9 @@ Task<std::optional<int>> SharedJournal::recalled(NumberWish wish, std::string he
     SqlConnection &sql = m_book.database();
     NumberWish local = wish;
     local.scope = here;
-    const auto known = numberOf(sql, local);
-    if (!known)
-        co_return fail(known.error());
-    if (*known)
-        co_return *known;
+    const std::optional<int> known = co_await numberOf(sql, local);
+    if (known)
+        co_return known;
     auto asking = askServer<std::optional<int>>([wish](const JournalServer &server) { return server.numberOf(wish); });
     const Result<std::optional<int>> told = co_await std::move(asking).attempt();
     if (!told || !*told)
@@ -159,38 +153,29 @@ Task<std::optional<int>> SharedJournal::number(NumberWish wish)
     SqlConnection &sql = m_book.database();
     NumberWish local = wish;
     local.scope = hereOf(wish.scope);
-    if (auto moved = moveBlocks(sql, wish.scope, local.scope); !moved) // of a program that did not tell them apart
-        co_return fail(moved.error());
-    if (isSilent()) { // nobody waits for its time-out as long as numbers lie here
-        const auto given = giveNumber(sql, local);
-        if (!given)
-            co_return fail(given.error());
-        if (*given)
-            co_return *given;
+    co_await moveBlocks(sql, wish.scope, local.scope); // of a program that did not tell them apart
+    if (isSilent()) {                                  // nobody waits for its time-out as long as numbers lie here
+        const std::optional<int> given = co_await giveNumber(sql, local);
+        if (given)
+            co_return given;
     }
     if (const std::optional<int> known = co_await recalled(wish, local.scope); known)
         co_return *known;
     for (;;) {
-        const auto given = giveNumber(sql, local);
-        if (!given)
-            co_return fail(given.error());
-        if (*given)
-            co_return *given;
-        const auto token = tokenFor(local.scope);
-        if (!token)
-            co_return fail(token.error());
+        const std::optional<int> given = co_await giveNumber(sql, local);
+        if (given)
+            co_return given;
+        const std::string token = co_await tokenFor(local.scope);
         auto taking = askServer<NumberBlock>(
-            [token = *token, wish, station = m_book.station(), time = m_book.now()](
+            [token, wish, station = m_book.station(), time = m_book.now()](
                 const JournalServer &server) { return server.take(token, wish, station, time); });
-        const Result<NumberBlock> block = co_await std::move(taking).attempt();
-        if (!block)
-            co_return fail(block.error());
-        if (block->isEmpty())
+        const NumberBlock block = co_await std::move(taking);
+        if (block.isEmpty())
             co_return std::nullopt;
-        auto kept = keepBlock(sql, local.scope, *block); // again after a cut: the token is still asked for then
+        auto kept = keepBlock(sql, local.scope, block); // again after a cut: the token is still asked for then
         if (kept)
-            kept = sql.run("UPDATE service_block SET first = ?, last = ? WHERE token = ?",
-                {block->first, block->last, qt(*token)});
+            kept = sql.run(
+                "UPDATE service_block SET first = ?, last = ? WHERE token = ?", {block.first, block.last, qt(token)});
         if (!kept)
             co_return fail(kept.error());
     }

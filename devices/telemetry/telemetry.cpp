@@ -93,11 +93,6 @@ void Telemetry::commit()
     m_revision.fetch_add(1, std::memory_order_release);
 }
 
-std::optional<Point> Telemetry::latest(ChannelIndex channel) const
-{
-    return m_live[channel.value].latest;
-}
-
 void Telemetry::Live::measure(Instant time)
 {
     if (!latest) {

@@ -51,7 +51,7 @@ public:
     void commit();
     [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }
     /// The newest sample, committed or not.
-    [[nodiscard]] std::optional<Point> latest(ChannelIndex channel) const;
+    [[nodiscard]] std::optional<Point> latest(ChannelIndex channel) const { return m_live[channel.value].latest; }
     /// Samples per second over about the last second of source time; 0 once the channel is silent for 2 s before `now` (or three
     /// periods, if that is longer).
     [[nodiscard]] double rate(ChannelIndex channel, Instant now) const;

@@ -20,8 +20,7 @@ Result<void> CanLink::send(const CanFrame &frame, Priority priority)
         return fail(Fault::OutOfRange, say("no CAN frame: its identifier or size is out of range"));
     CanFrame stamped = frame;
     stamped.time = m_clock.now();
-    if (auto sent = doSend(stamped, priority); !sent)
-        return sent;
+    MB_TRY_VOID(doSend(stamped, priority));
     m_load.count(stamped.time, estimatedBits(stamped));
     passed(Traffic{stamped.time, Direction::Sent, &stamped, {}});
     return {};

@@ -22,10 +22,8 @@ Result<void> Link::open()
 {
     if (m_state == LinkState::Open)
         return {};
-    if (auto begun = beginOpening(); !begun)
-        return begun;
-    if (auto opened = doOpen(); !opened)
-        return opened;
+    MB_TRY_VOID(beginOpening());
+    MB_TRY_VOID(doOpen());
     return endOpening();
 }
 

@@ -68,11 +68,6 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
     return file;
 }
 
-Error RecordingFile::located(const Error &error) const
-{
-    return error.about(m_path);
-}
-
 /// The next line without its end, valid until the next call; nothing at the end of the file. `cut`: the end came first.
 Result<std::optional<std::string_view>> RecordingFile::line(Cursor &cursor, bool &cut) const
 {

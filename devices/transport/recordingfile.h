@@ -58,7 +58,7 @@ private:
     /// The next frame that is wanted; nothing at the end, or where the line at `until` is reached without one.
     [[nodiscard]] Result<std::optional<LoggedFrame>> read(
         Cursor &cursor, std::uint64_t until = std::numeric_limits<std::uint64_t>::max()) const;
-    [[nodiscard]] Error located(const Error &error) const;
+    [[nodiscard]] Error located(const Error &error) const { return error.about(m_path); }
 
     std::string m_path;
     std::string m_interface;

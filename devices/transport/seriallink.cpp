@@ -33,8 +33,7 @@ Result<void> SerialLink::send(std::span<const std::uint8_t> bytes, Priority prio
         return fail(notOpen());
     if (bytes.empty())
         return fail(Fault::OutOfRange, say("nothing to send"));
-    if (auto sent = doSend(bytes, priority); !sent)
-        return sent;
+    MB_TRY_VOID(doSend(bytes, priority));
     const Instant now = m_clock.now();
     m_load.count(now, bytes.size() * 10);
     passed(Traffic{now, Direction::Sent, nullptr, bytes});
@@ -45,8 +44,7 @@ Result<void> SerialLink::setBaudrate(int baudrate)
 {
     MB_TRY(const auto isNew, isNewRate(baudrate));
     if (isNew && state() == LinkState::Open) {
-        if (auto set = doSetBaudrate(baudrate); !set)
-            return set;
+        MB_TRY_VOID(doSetBaudrate(baudrate));
     }
     m_baudrate = baudrate;
     m_isRateInDoubt = false;

@@ -9,15 +9,36 @@
 #include "model/loopparameters.h"
 #include "model/unit.h"
 #include "tuning/autotunerun.h"
-#include "tuning/identificationchoice.h"
+#include "tuning/currentidentification.h"
+#include "tuning/gainscale.h"
+#include "tuning/pushidentification.h"
 #include "tuning/scalecalibration.h"
 #include "tuning/tunedesign.h"
 #include "tuning/tuneproof.h"
+#include "tuning/twopointidentification.h"
+
+#include <memory>
 
 namespace mb::tuning {
 namespace {
 
 constexpr double allowedOvershoot = 0.05; ///< of where a loop comes to rest
+
+/// The way that fits a loop of a family: pushes of duty; steps with gains tried against each other where it has no duty command;
+/// short pushes that tell its resistance for a current loop.
+/// nullptr where there is none.
+std::unique_ptr<MotorIdentification> identificationOf(const Family &family, Mode loop)
+{
+    if (!family.trials)
+        return nullptr;
+    if (family.trials->raw.cycle > 0.0 && loop == Mode::Position)
+        return std::make_unique<TwoPointIdentification>();
+    if (family.trials->nudge > 0.0 || !loopUnits(family, loop))
+        return nullptr;
+    if (loop == Mode::Current)
+        return std::make_unique<CurrentIdentification>();
+    return std::make_unique<PushIdentification>();
+}
 
 /// A model: from the plan, or found out.
 Task<void> model(AutotuneRun &run, const TunePlan &plan)
@@ -85,8 +106,7 @@ Result<void> checkAllPutBack(const Device &device, const TunePlan &plan, bool se
     for (const Mode mode : {plan.loop, Mode::Velocity, Mode::Position}) {
         if (mode != plan.loop && !searches)
             continue;
-        if (auto back = checkPutBack(device, mode, plan.axis, plan.slot); !back)
-            return back;
+        MB_TRY_VOID(checkPutBack(device, mode, plan.axis, plan.slot));
     }
     return {};
 }

@@ -210,10 +210,7 @@ void AutotuneRun::lookWhere()
 Task<void> AutotuneRun::readEnvelope()
 {
     const Envelope own = co_await readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
-    const auto resolved = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);
-    if (!resolved)
-        co_return fail(resolved.error());
-    m_envelope = *resolved;
+    m_envelope = co_await resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);
     co_return {};
 }
 

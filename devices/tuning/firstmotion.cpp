@@ -58,10 +58,8 @@ private:
 Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
 {
     for (int again = 0;; ++again) {
-        const Result<Trial> ran = co_await run.run(plan).attempt();
-        if (!ran)
-            co_return fail(ran.error());
-        const bool hasBegun = ran->reason == "done" || !ran->holds.empty();
+        const Trial ran = co_await run.run(plan);
+        const bool hasBegun = ran.reason == "done" || !ran.holds.empty();
         if (hasBegun || again == mostAgain || !isLossy(run))
             co_return {};
         run.forgive();

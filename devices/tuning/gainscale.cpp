@@ -103,8 +103,7 @@ Result<void> add(const Family &family, ParameterIndex index, double number, Scal
 
 Result<void> addGain(const Family &family, ParameterIndex index, double number, ScaledGains &into)
 {
-    if (auto added = add(family, index, number, into); !added)
-        return added;
+    MB_TRY_VOID(add(family, index, number, into));
     const std::string key(family.parameters[index.value].key);
     const double steps = std::abs(static_cast<double>(into.rows.back().raw));
     if (number != 0.0 && steps < leastSteps)

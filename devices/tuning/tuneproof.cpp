@@ -261,8 +261,7 @@ Task<void> TuneProof::write()
     if (written && owes)
         written = m_run.user().mayGoOn();
     if (!written && owes) {
-        auto back = takeBack(std::move(before), written.error());
-        co_await std::move(back);
+        co_await takeBack(std::move(before), written.error());
     }
     if (!written)
         co_return fail(written.error());

@@ -276,12 +276,10 @@ LoopLaw TwoPointIdentification::lawOf(const AutotuneRun &run, const TwoPointFit 
 /// Takes what the steps have told; true where larger ones are to tell it first.
 Task<bool> TwoPointIdentification::conclude(AutotuneRun &run)
 {
-    const auto linear = fitTwoPoint(m_seen.steps);
-    if (!linear)
-        co_return fail(linear.error());
-    LoopLaw law = lawOf(run, *linear);
+    const auto linear = co_await fitTwoPoint(m_seen.steps);
+    LoopLaw law = lawOf(run, linear);
     auto fitting = aside<LoopFit>(
-        run.device(), [runs = m_seen.all(), law, first = *linear] { return fitLoop(runs, law, first); });
+        run.device(), [runs = m_seen.all(), law, first = linear] { return fitLoop(runs, law, first); });
     const LoopFit fit = co_await std::move(fitting);
     if (isDoubtful(fit) && enlarge(run))
         co_return true;

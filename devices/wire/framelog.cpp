@@ -37,11 +37,6 @@ Error FrameLogParser::malformed(std::uint64_t line, const Message &cause) const
         say("such a line reads %1", m_format == LogFormat::Asc ? ascExample : example)};
 }
 
-Error FrameLogParser::tooLong() const
-{
-    return malformed(m_lines + 1);
-}
-
 Result<std::optional<LoggedFrame>> FrameLogParser::parse(std::string_view line)
 {
     ++m_lines;

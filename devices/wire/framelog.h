@@ -28,7 +28,7 @@ public:
     /// What of the log is left out, or may not be whole, for people; empty: nothing.
     [[nodiscard]] Message remark() const;
     /// The same error for the line after the last one.
-    [[nodiscard]] Error tooLong() const;
+    [[nodiscard]] Error tooLong() const { return malformed(m_lines + 1); }
     /// Known from the first line that is not blank.
     [[nodiscard]] std::optional<LogFormat> format() const { return m_format; }
     [[nodiscard]] std::uint64_t lines() const { return m_lines; }

@@ -212,8 +212,12 @@ void ConditionsTest::whatWasDismissedIsSilentUntilItsLinkIsWell()
     Q_EMIT notices.standing().dismissed();
     notices.workbench.device(0).liveness.foreignMaster = true;
     QCOMPARE(standing(Ailment::None), 1);
+    Q_EMIT notices.standing().dismissed();
+    QCOMPARE(standing(Ailment::None), 0);
     notices.workbench.device(0).liveness.foreignMaster = false;
     QCOMPARE(standing(Ailment::None), 0);
+    notices.workbench.device(0).liveness.foreignMaster = true; // of a new motion
+    QCOMPARE(standing(Ailment::None), 1);
 }
 
 void ConditionsTest::aSecondEnterIsNotForWhatTheButtonHasBecome()

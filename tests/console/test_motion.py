@@ -38,6 +38,11 @@ class Motion(ContractTest):
         self.assertEqual(lines[0], "t,channel,value,unit")
         self.assertEqual({tuple(line.split(",")[1::2]) for line in lines[1:]}, {("position", "counts"), ("velocity", "counts/s")})
 
+    def test_a_rate_that_does_not_come_is_told(self):
+        asked = ["watch", CIM, "--channel", "velocity", "--for", "1", "--rate"]
+        self.assertRegex(Run([*asked, "5000"]).err, r"--rate 5000: \d+ samples a second came")
+        self.assertNotIn("--rate", Run([*asked, "100"]).err)
+
     def test_states_are_told_by_info_and_are_channels_of_watch(self):
         states = self.run_one("info", CIM)["states"]
         self.assertEqual((states["halted"], states["limit.forward.switch"], states["limit.current"]), (True, False, False))

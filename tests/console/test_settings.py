@@ -194,6 +194,7 @@ class Restore(Saving):
         number = self.run_one("snapshot", place)["snapshot"]
         self.assert_error(2, "restore", place, f"snapshot:{number}", says="this place, not this unit")
         self.assertEqual(self.run_one("restore", place, f"snapshot:{number}", "--yes"), {"changes": []})
+        self.assert_error(2, "restore", CIM, self.saved(CIM), "--yes", says="--yes means a snapshot")
 
     def test_values_of_one_unit_are_asked_for_one_by_one(self):
         path = self.saved(LIVELY, current__adc_multiplier=0.03)

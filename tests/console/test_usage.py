@@ -130,6 +130,8 @@ class Usage(ContractTest):
         drive("--mode", "duty", "--target", "0.1", says="--for")
         drive("--target", "0.1", "--for", "1", says="--mode")
         drive("--mode", "duty", "--target", "0.1", "--for", "0")
+        for device in ("sim:can/dmc60c:60", "sim:can/abstractdc:40", "sim:serial/supermodified:9", "sim:spi/quadquad2drv:0"):
+            self.assert_error(2, "drive", device, "--mode", "position", "--target", "0.5", "--for", "1", says="not a whole number")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--axis", "2")
         drive("--mode", "velocity", "--target", "1", "--for", "1", "--slot", "2")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--brake", "--coast")
@@ -165,7 +167,7 @@ class Usage(ContractTest):
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
 
     def test_what_is_there_twice_or_lacks_a_value_is_told_in_words_of_this_program(self):
-        for words in (["watch", CIM, "--for", "1", "--for", "2"], ["--timeout", "1", "--timeout", "2", "links"], ["--retries=1", "--retries=1", "links"],
+        for words in (["watch", CIM, "--for", "1", "--for", "2"], ["--timeout", "1", "--timeout", "2", "links"], ["--timeout=1", "links", "--timeout", "2"], ["--retries", "1", "links", "--retries=2"], ["--retries=1", "--retries=1", "links"],
                       ["trials", "--note", "1", "a", "--note", "1", "b"], ["simulate", "--on", "pty:./a", "supermodified:4,dialect=D1,dialect=D2"]):
             self.assert_error(2, *words, says="is there twice")
         self.assert_error(2, "trials", "--note", "1", says="a value of --note is missing")

@@ -207,7 +207,7 @@ TEST(Recipes, KnowWhatAFamilyCannotDo)
 "parameters":{"file":"a.json","store":true}})");
     ASSERT_FALSE(keeps);
     EXPECT_EQ(keeps.error().text(),
-        "line 2: a quadquad2drv keeps no setting without power; leave 'store' out: its settings are lost with its "
+        "line 2: quadquad2drv keeps no setting without power; leave 'store' out: its settings are lost with its "
         "power");
 }
 

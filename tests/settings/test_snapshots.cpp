@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/qttext.h"
 #include "model/unit.h"
 #include "settings/comparison.h"
 #include "settingsbench.h"
@@ -102,6 +103,16 @@ TEST_F(Snapshots, AUnitWithATagIsThatUnitWhereverItStands)
     EXPECT_EQ(book->find("mine", unitKeyOf(other))->number, tagged->number);
     EXPECT_TRUE(book->find("nobody's", place)) << "of two on one line it is one only";
     EXPECT_FALSE(book->setTag(unitKeyOf(*bench.device(5)), "x"));
+}
+
+TEST_F(Snapshots, ANameThatStoodAtSeveralPlacesOfALineStandsAtOne)
+{
+    const std::string places[] = {"simulated place sim:can abstractdc:20", "simulated place sim:can abstractdc:21"};
+    for (const std::string &place : places)
+        ASSERT_TRUE(database->run("INSERT INTO tag (place, name, time) VALUES (?, 'lift', 0)", {qt(place)}));
+    ASSERT_TRUE(book->setTag(unitKeyOf(*bench.device(3, "abstractdc")), "lift"));
+    for (const std::string &place : places)
+        EXPECT_EQ(book->resolved(place), place);
 }
 
 TEST_F(Snapshots, AUnitIsKnownWhereItWasSeenAndUnderItsNewNumber)

@@ -138,7 +138,7 @@ void TestParameterFiles::aFileOfAnotherFamilyIsRefused()
     ParameterBench bench;
     bench.page->importFrom(write(folder, QStringLiteral("s.json"), R"({"family":"toaster","parameters":{}})"));
     QCOMPARE(bench.edits().count(), 0);
-    QVERIFY(says(bench, QStringLiteral("s.json is for family “toaster”, DMC60C #5 is a DMC60C.")));
+    QVERIFY(says(bench, QStringLiteral("s.json is for family “toaster”, DMC60C #5 is of the family DMC60C.")));
 }
 
 void TestParameterFiles::aDamagedFileIsRefused()

@@ -11,9 +11,12 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace mb;
 using namespace mb::test;
@@ -117,6 +120,10 @@ void TestTune::onlyOptionsThatMeanSomethingInTheModeAreOfferedAndSent()
     const auto *options = panel.findChild<DriveOptions *>();
     QCOMPARE(options->findChild<QComboBox *>()->isVisibleTo(options), brakes);
     QCOMPARE(options->findChild<QLineEdit *>()->isVisibleTo(options), ramps);
+    const QList<QLabel *> labels = options->findChildren<QLabel *>();
+    QVERIFY(std::ranges::any_of(labels, [&](const QLabel *label) {
+        return label->text() == (family == s("abstractdc") ? s("duty/s, 0 = 4") : s("duty/s, 0 = none"));
+    }));
     SetPoint sent;
     panel.apply(sent);
     QCOMPARE(sent.ramp, ramps ? 2.5 : 0.0);

@@ -238,12 +238,6 @@ QSize HeaderBar::minimumSizeHint() const
     return {name + m_lamp->minimumSizeHint().width() + m_stop->minimumSizeHint().width() + 5 * theme.u(8), theme.u(52)};
 }
 
-void HeaderBar::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    updateFolding();
-}
-
 bool HeaderBar::event(QEvent *event)
 {
     if (event->type() == QEvent::LayoutRequest)

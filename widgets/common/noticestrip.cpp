@@ -41,12 +41,6 @@ QSize NoticeStrip::minimumSizeHint() const
     return {1, m_banners->height()};
 }
 
-void NoticeStrip::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fit();
-}
-
 void NoticeStrip::paintEvent(QPaintEvent *)
 {
     const Theme &theme = m_theme.theme();

@@ -18,7 +18,7 @@ public:
     QSize minimumSizeHint() const override;
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fit(); }
     void paintEvent(QPaintEvent *event) override;
 
 private:

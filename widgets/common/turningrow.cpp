@@ -9,10 +9,4 @@ TurningRow::TurningRow(const ThemeSource &theme, int besideFrom, QWidget *parent
 {
 }
 
-void TurningRow::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    Q_EMIT arranged(isTurned());
-}
-
 } // namespace mb

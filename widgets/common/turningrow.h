@@ -21,7 +21,7 @@ Q_SIGNALS:
     void arranged(bool turned);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { Q_EMIT arranged(isTurned()); }
 
 private:
     TurningBox *m_parts;

@@ -89,12 +89,6 @@ void AxisCells::arrange()
         m_grid->setColumnStretch(i, i < columns ? 1 : 0);
 }
 
-void AxisCells::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange();
-}
-
 void AxisCells::show(const DeviceView &device, Instant now)
 {
     const int axes = device.family->capabilities.axes;

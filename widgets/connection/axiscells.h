@@ -33,7 +33,7 @@ Q_SIGNALS:
     void axisActivated(int axis);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { arrange(); }
 
 private:
     struct Cell {

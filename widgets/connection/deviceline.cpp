@@ -86,12 +86,6 @@ void DeviceLine::buildValues(QHBoxLayout &row)
     row.addWidget(m_values);
 }
 
-void DeviceLine::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    follow();
-}
-
 void DeviceLine::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);

@@ -26,7 +26,7 @@ public:
     void setWanted(bool wanted);
 
 protected:
-    void showEvent(QShowEvent *event) override;
+    void showEvent(QShowEvent *) override { follow(); }
     void resizeEvent(QResizeEvent *event) override;
 
 private:

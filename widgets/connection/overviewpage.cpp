@@ -90,18 +90,6 @@ void OverviewPage::buildEmpty()
     connect(m_start, &StartPage::openRecordingRequested, this, &OverviewPage::openRecordingRequested);
 }
 
-void OverviewPage::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    follow();
-}
-
-void OverviewPage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange();
-}
-
 void OverviewPage::follow()
 {
     const Snapshot &shot = m_workbench.snapshot();

@@ -42,8 +42,8 @@ Q_SIGNALS:
     void updateRequested();
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *) override { follow(); }
+    void resizeEvent(QResizeEvent *) override { arrange(); }
 
 private:
     struct LinkCard {

@@ -7,7 +7,6 @@
 #include "widgets/start/storycard.h"
 
 #include <QPushButton>
-#include <QResizeEvent>
 
 #include <algorithm>
 
@@ -137,12 +136,6 @@ void StartPage::setRecent(std::vector<ListCard::Row> rows)
 void StartPage::setFirmware(std::vector<ListCard::Row> rows)
 {
     m_firmware->setRows(std::move(rows), tr("No image (.hex) in this folder."));
-}
-
-void StartPage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange();
 }
 
 /// The side column beside the rest where there is room; as many stories in a row as none of them is cut.

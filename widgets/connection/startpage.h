@@ -38,7 +38,7 @@ Q_SIGNALS:
     void guidesWanted();
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { arrange(); }
 
 private:
     [[nodiscard]] QWidget *buildMain(Workbench &workbench);

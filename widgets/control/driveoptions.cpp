@@ -61,11 +61,11 @@ void DriveOptions::addRamp()
     m_ramp = new NumberField(QStringLiteral("0"), m_rampRow);
     m_ramp->setFixedWidth(m_theme.theme().u(88));
     m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
-    m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 "
-                          "takes 0.5 s from 0 to 100 %."));
+    m_ramp->setToolTip(tr("Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %."));
     auto *row = layoutIn<QHBoxLayout>(m_rampRow, m_theme.theme().u(8));
     row->addWidget(m_ramp);
-    row->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, m_rampRow), 1);
+    m_noRamp = textLabel({}, TextRole::Caption, Tone::Dim, m_rampRow);
+    row->addWidget(m_noRamp, 1);
     m_form->addRow(tallLabel(tr("Ramp")), m_rampRow);
     m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
     m_fault->hide();
@@ -100,6 +100,8 @@ bool DriveOptions::offer(const OutputOptions &can, Mode mode)
             label->setVisible(isOffered);
         any = any || isOffered;
     }
+    m_noRamp->setText(
+        can.usualRamp > 0.0 ? tr("duty/s, 0 = %1").arg(formatNumber(can.usualRamp)) : tr("duty/s, 0 = none"));
     m_fault->setVisible(!fault().isEmpty());
     return any;
 }
@@ -112,10 +114,9 @@ std::optional<double> DriveOptions::ramp() const
 
 QString DriveOptions::fault() const
 {
-    return ramp() || m_rampRow->isHidden()
-        ? QString()
-        : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.")
-              .arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
+    return ramp() || m_rampRow->isHidden() ? QString()
+                                           : tr("%1 is no ramp. Enter 0 or a positive number of duty per second.")
+                                                 .arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
 }
 
 void DriveOptions::checkRamp()

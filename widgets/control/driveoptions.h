@@ -51,6 +51,7 @@ private:
     QFormLayout *m_form = nullptr;
     QWidget *m_rampRow = nullptr;
     QLineEdit *m_ramp = nullptr;
+    QLabel *m_noRamp = nullptr; ///< what 0 means
     QLabel *m_fault = nullptr;
     QComboBox *m_brake = nullptr;
     QCheckBox *m_reverseMotor = nullptr;

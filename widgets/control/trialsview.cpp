@@ -95,12 +95,6 @@ void TrialsView::buildFoot()
     });
 }
 
-void TrialsView::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange();
-}
-
 /// Metrics beside the plot where there is room; else they share the place of the trials, so that the plot stays large.
 void TrialsView::arrange()
 {

@@ -42,12 +42,6 @@ TuneCommands::TuneCommands(const ThemeSource &source, QWidget *parent)
     connect(m_view, &Segmented::currentChanged, this, [this](int view) { Q_EMIT liveChosen(view == 1); });
 }
 
-void TuneCommands::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitSteps();
-}
-
 /// All words where the sentence beside them keeps its room.
 void TuneCommands::fitSteps()
 {

@@ -40,7 +40,7 @@ Q_SIGNALS:
     void liveChosen(bool live);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fitSteps(); }
 
 private:
     void fitSteps();

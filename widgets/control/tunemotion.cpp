@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunemotion.h"
 
+#include "model/axis.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/guarded.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
-#include "widgets/control/presentvalue.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/tunecolumn.h"
+#include "widgets/plots/displayunits.h"
 
 #include <QApplication>
 
@@ -28,7 +29,14 @@ TuneMotion::TuneMotion(Workbench &workbench, Arming &arming, TuneChoices &choice
 
 std::optional<double> TuneMotion::present(const DeviceView &view, Mode mode, int axis) const
 {
-    return presentValue(view, mode, axis, m_workbench.presentOf(view.link));
+    const Quantity quantity = quantityOf(mode);
+    if (quantity == Quantity::Voltage) // of the supply, not of the motor
+        return std::nullopt;
+    for (const Channel &channel : view.family->channels) {
+        if (channel.quantity == quantity && axisOf(channel.key) == axis)
+            return liveValue(view, channel.key, m_workbench.presentOf(view.link));
+    }
+    return std::nullopt;
 }
 
 /// For the motor that is shown.

@@ -126,18 +126,6 @@ void TunePage::connectChanges()
     connect(&m_selection, &Selection::changed, this, &TunePage::selectionChanged);
 }
 
-void TunePage::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    follow();
-}
-
-void TunePage::hideEvent(QHideEvent *event)
-{
-    QWidget::hideEvent(event);
-    wishRates(nullptr);
-}
-
 void TunePage::showLive(bool live)
 {
     m_choices->setLive(live);

@@ -57,8 +57,8 @@ public:
     [[nodiscard]] TuneFrame &frame() { return *m_frame; }
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
+    void showEvent(QShowEvent *) override { follow(); }
+    void hideEvent(QHideEvent *) override { wishRates(nullptr); }
 
 private:
     void buildParts(const ThemeSource &theme);

@@ -287,12 +287,6 @@ void TunePlot::draw()
     m_stack->refresh(now);
 }
 
-void TunePlot::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    m_tick.start();
-}
-
 void TunePlot::hideEvent(QHideEvent *event)
 {
     m_tick.stop();

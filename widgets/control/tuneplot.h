@@ -39,7 +39,7 @@ Q_SIGNALS:
     void unitsChanged(const mb::DisplayUnits &units);
 
 protected:
-    void showEvent(QShowEvent *event) override;
+    void showEvent(QShowEvent *) override { m_tick.start(); }
     void hideEvent(QHideEvent *event) override;
 
 private:

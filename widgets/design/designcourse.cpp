@@ -68,12 +68,6 @@ void DesignCourse::setOrder(QWidget *order)
     m_foot->setVisible(order != nullptr);
 }
 
-void DesignCourse::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fit();
-}
-
 /// One after the other, until all is in sight: what an adviser finds in order takes one line, what is said of every set stands in tooltips,
 /// all that is in order takes one line, and why a result is good stands last, where it scrolls.
 void DesignCourse::fit()

@@ -34,7 +34,7 @@ public:
     void follow(const DeviceView &view, const OperationView *running, const Chosen &chosen);
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fit(); }
 
 private:
     void fit();

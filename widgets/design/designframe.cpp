@@ -73,12 +73,6 @@ QSize DesignFrame::minimumSizeHint() const
     return {m_theme.theme().u(300), m_theme.theme().u(160)};
 }
 
-void DesignFrame::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fold();
-}
-
 bool DesignFrame::event(QEvent *event)
 {
     if (event->type() == QEvent::LayoutRequest) // other words on the orders

@@ -51,12 +51,6 @@ void DesignOrders::setCompact(bool compact)
     fold();
 }
 
-void DesignOrders::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fold();
-}
-
 bool DesignOrders::event(QEvent *event)
 {
     if (event->type() == QEvent::LayoutRequest) // other words in it, one slot more

@@ -33,7 +33,7 @@ Q_SIGNALS:
     void proveRequested();
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fold(); }
     bool event(QEvent *event) override;
 
 private:

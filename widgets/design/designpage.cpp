@@ -208,12 +208,6 @@ void DesignPage::ended(const DesignPlace &place, const Result<tuning::TuneReport
     follow();
 }
 
-void DesignPage::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    follow();
-}
-
 /// Thirty times a second, and only while somebody sees it.
 void DesignPage::follow()
 {

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const tuning::Proposal *chosen() const;
 
 protected:
-    void showEvent(QShowEvent *event) override;
+    void showEvent(QShowEvent *) override { follow(); }
 
 private:
     void buildContent(const ThemeSource &theme);

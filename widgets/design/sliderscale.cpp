@@ -70,12 +70,6 @@ QSize SliderScale::sizeHint() const
         heightForWidth(std::max(width(), ends))};
 }
 
-void SliderScale::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    updateGeometry();
-}
-
 void SliderScale::paintEvent(QPaintEvent *)
 {
     const Theme &look = m_theme.theme();

@@ -23,7 +23,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { updateGeometry(); }
 
 private:
     [[nodiscard]] QFont captionFont() const;

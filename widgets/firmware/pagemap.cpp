@@ -126,12 +126,6 @@ void PageMap::paintCell(QPainter &painter, std::size_t place) const
     painter.drawText(cell(place), Qt::AlignCenter, QString::number(part));
 }
 
-void PageMap::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    setMinimumHeight(heightForWidth(width()));
-}
-
 void PageMap::paintEvent(QPaintEvent *)
 {
     QPainter painter(this);

@@ -28,7 +28,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { setMinimumHeight(heightForWidth(width())); }
     bool event(QEvent *event) override;
 
 private:

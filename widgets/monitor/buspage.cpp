@@ -322,18 +322,6 @@ void BusPage::showEvent(QShowEvent *event)
     m_tick.start();
 }
 
-void BusPage::hideEvent(QHideEvent *event)
-{
-    QWidget::hideEvent(event);
-    m_tick.stop();
-}
-
-void BusPage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    arrange();
-}
-
 void BusPage::arrange()
 {
     // Where there is room the detail stands right, full height; otherwise beside the identifiers.

@@ -49,8 +49,8 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void hideEvent(QHideEvent *) override { m_tick.stop(); }
+    void resizeEvent(QResizeEvent *) override { arrange(); }
 
 private:
     void buildContent();

@@ -21,8 +21,7 @@ Result<void> exportTraffic(const QString &path, int count, const std::function<c
     const std::string &link, const WallClock &clock)
 {
     OutputFile file(path.toStdString());
-    if (auto opened = file.open(); !opened)
-        return opened;
+    MB_TRY_VOID(file.open());
     for (int i = 0; i < count; ++i)
         file.write(trafficLine(at(i), link, clock) + '\n');
     return file.commit();

@@ -263,11 +263,6 @@ bool HistoryPanel::isLive() const
     return m_states.family() && m_states.at(m_a->currentIndex()).kind == UnitState::Kind::Now;
 }
 
-bool HistoryPanel::mayWrite() const
-{
-    return m_ready == Ready::Yes && isLive() && !ticked().empty();
-}
-
 std::vector<ParameterChange> HistoryPanel::ticked() const
 {
     const std::vector<ParameterChange> changes = m_table->ticked();

@@ -46,7 +46,7 @@ private:
     void compareChosen();
     void count();
     [[nodiscard]] bool isLive() const;
-    [[nodiscard]] bool mayWrite() const;
+    [[nodiscard]] bool mayWrite() const { return m_ready == Ready::Yes && isLive() && !ticked().empty(); }
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;

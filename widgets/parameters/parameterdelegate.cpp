@@ -20,11 +20,6 @@ ParameterDelegate::ParameterDelegate(const ThemeSource &theme, const ParameterMo
 {
 }
 
-int ParameterDelegate::rowHeight() const
-{
-    return m_theme.theme().u(30);
-}
-
 QFont ParameterDelegate::cellFont(int column, const QFont &body) const
 {
     const Theme &theme = m_theme.theme();

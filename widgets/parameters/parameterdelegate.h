@@ -15,7 +15,7 @@ public:
     ParameterDelegate(const ThemeSource &theme, const ParameterModel &model, QObject *parent);
 
     /// Of an editable row.
-    [[nodiscard]] int rowHeight() const;
+    [[nodiscard]] int rowHeight() const { return m_theme.theme().u(30); }
     [[nodiscard]] QFont cellFont(int column, const QFont &body) const;
     /// Room left and right of the text of a cell.
     [[nodiscard]] int padding() const { return m_theme.theme().u(8); }

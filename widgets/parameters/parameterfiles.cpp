@@ -37,8 +37,8 @@ FromFile<ParameterFile> loadParameterFile(const QString &path, const Family &fam
     if (!bytes)
         return refuse(errorText(bytes.error()), FileText::tr("Choose another file."));
     if (const auto other = familyOf(*bytes); other && *other != family.key)
-        return refuse(
-            FileText::tr("%1 is for %2, %3 is a %4.").arg(fileNameOf(path), titleOf(*other), owner, qt(family.title)),
+        return refuse(FileText::tr("%1 is for %2, %3 is of the family %4.")
+                          .arg(fileNameOf(path), titleOf(*other), owner, qt(family.title)),
             FileText::tr("Choose a file of this family. Nothing was changed."));
     auto file = parseParameterFile(*bytes, family);
     if (!file)

@@ -162,11 +162,6 @@ void ParametersPage::buildKeys()
         [this] { showHistory(!m_head->isHistoryChosen()); });
 }
 
-const DeviceView *ParametersPage::device() const
-{
-    return m_workbench.snapshot().device(m_selection.device());
-}
-
 void ParametersPage::follow()
 {
     m_ledger.observe(m_workbench.snapshot(), m_workbench.now());
@@ -393,12 +388,6 @@ void ParametersPage::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
     m_shown = {};
     follow();
-}
-
-void ParametersPage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fit();
 }
 
 /// Where the orders do not fit in a line with their words they are symbols, and in a low window those that are used most stand in one line

@@ -57,7 +57,7 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fit(); }
 
 private:
     void fit();
@@ -74,7 +74,7 @@ private:
     void refresh();
     void refreshTexts();
     void setFilter();
-    [[nodiscard]] const DeviceView *device() const;
+    [[nodiscard]] const DeviceView *device() const { return m_workbench.snapshot().device(m_selection.device()); }
 
     Workbench &m_workbench;
     EditDesk &m_desk;

@@ -76,12 +76,6 @@ void ParameterTools::setLead(QWidget *lead)
     fit();
 }
 
-void ParameterTools::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fit();
-}
-
 bool ParameterTools::event(QEvent *event)
 {
     if (event->type() == QEvent::LayoutRequest) // other words in it

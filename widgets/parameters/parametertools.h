@@ -34,7 +34,7 @@ Q_SIGNALS:
     void searchEnded();
 
 protected:
-    void resizeEvent(QResizeEvent *event) override;
+    void resizeEvent(QResizeEvent *) override { fit(); }
     bool event(QEvent *event) override;
 
 private:

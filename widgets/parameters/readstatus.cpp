@@ -52,7 +52,7 @@ void ReadStatus::say(GlyphState glyph, const QString &text)
 void ReadStatus::showFile(const QString &name, const QString &family)
 {
     m_bar->hide();
-    say(GlyphState::Assumed, tr("%1, values of a %2 from a file").arg(name, family));
+    say(GlyphState::Assumed, tr("%1, values for %2 from a file").arg(name, family));
 }
 
 bool ReadStatus::showReading(const OperationView *operation)

@@ -233,16 +233,6 @@ std::map<ParameterIndex, StagedEdit> StagedEdits::effective() const
     return edits;
 }
 
-int StagedEdits::count() const
-{
-    return static_cast<int>(effective().size());
-}
-
-int StagedEdits::faults() const
-{
-    return static_cast<int>(illegal().size());
-}
-
 std::vector<StagedChange> StagedEdits::ordered() const
 {
     ParameterStore inForce(m_family.parameters);

@@ -58,8 +58,8 @@ public:
     [[nodiscard]] bool isIncluded(ParameterIndex index) const;
 
     [[nodiscard]] const StagedEdit *find(ParameterIndex index) const;
-    [[nodiscard]] int count() const;
-    [[nodiscard]] int faults() const;
+    [[nodiscard]] int count() const { return static_cast<int>(effective().size()); }
+    [[nodiscard]] int faults() const { return static_cast<int>(illegal().size()); }
     /// Every legal change in the order of writing (arrangeForWriting()), those that are left out too.
     [[nodiscard]] std::vector<StagedChange> ordered() const;
     /// The edits that cannot be written, in table order.

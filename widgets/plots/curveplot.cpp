@@ -75,12 +75,6 @@ void CurvePlot::replotSoon()
         m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void CurvePlot::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    replotSoon();
-}
-
 void CurvePlot::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);

@@ -60,7 +60,7 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
-    void showEvent(QShowEvent *event) override;
+    void showEvent(QShowEvent *) override { replotSoon(); }
     void resizeEvent(QResizeEvent *event) override;
 
 private:

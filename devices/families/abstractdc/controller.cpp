@@ -121,8 +121,7 @@ Result<void> Controller::doMayMove() const
             say("scan again, or choose its dialect by hand"));
     if (!m_logs.dialect()->canStop())
         return fail(Fault::Unsafe, say("a drive of dialect LL has no code for stop"), say("only its power stops it"));
-    if (auto alone = m_logs.isAddressedAlone(); !alone)
-        return alone;
+    MB_TRY_VOID(m_logs.isAddressedAlone());
     if (!m_debt.isOwed())
         return {};
     Message remedy = say("switch it off and on");
@@ -196,8 +195,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const Duration spacing = news ? 2 * roundTrip(m_can) : std::max<Duration>(repeatPeriod, 10 * roundTrip(m_can));
     if (m_ours && m_logs.loop() == command.loop && now - m_sentAt < spacing)
         return {};
-    if (auto sent = m_can.send(encodeSetPoint(*m_logs.dialect(), identity().address, command.loop, target)); !sent)
-        return sent;
+    MB_TRY_VOID(m_can.send(encodeSetPoint(*m_logs.dialect(), identity().address, command.loop, target)));
     m_sentTarget = target;
     m_sentAt = now;
     m_ours = true;

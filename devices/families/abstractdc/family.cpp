@@ -9,6 +9,7 @@
 #include "families/abstractdc/protocol.h"
 #include "families/abstractdc/recognition.h"
 #include "families/abstractdc/scan.h"
+#include "families/abstractdc/setpoints.h"
 #include "families/abstractdc/simulator.h"
 
 #include <QtGlobal>
@@ -109,7 +110,7 @@ constexpr Capabilities capabilities{
     .identify = false,
     .rename = false,
     .renumber = false,
-    .output = {.ramp = ramped},
+    .output = {.ramp = ramped, .usualRamp = usualRamp},
     .lastAddress = maxOffset,
     .axes = 1,
     .gainSlots = 1,

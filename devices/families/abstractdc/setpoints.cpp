@@ -12,7 +12,6 @@ namespace mb::abstractdc {
 namespace {
 
 constexpr double farthest = 2147483647.0;
-constexpr double usualRamp = 4.0;      ///< duty per second
 constexpr double safeOutput = 32000.0; ///< of 32767
 constexpr double firstPass = 1.0;      ///< ms, at least: from the set-point that entered the loop
 constexpr double laterPass = 20.0;

@@ -19,6 +19,8 @@ constexpr std::string_view amperes = "amperes_per_count";
 constexpr std::string_view degrees = "degrees_per_count";
 } // namespace calibration
 
+constexpr double usualRamp = 4.0; ///< of the duty, where no other is given: duty per second
+
 /// What the wire is to say in the end.
 struct Command {
     Loop loop = Loop::None;
@@ -45,7 +47,7 @@ struct Command {
 [[nodiscard]] Result<void> mayEnterVelocity(
     const Whereabouts::SpeedRange &entry, const ParameterStore &known, double unknown);
 
-/// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
+/// Leads the target from where the motor is to where it shall be: duty by usualRamp, or as the
 /// set-point's ramp says; loops never further ahead of the feedback than is safe.
 class TargetLead {
 public:

@@ -81,8 +81,7 @@ Result<void> SettingsDesk::mayWrite(const Parameter &parameter, std::int64_t raw
 {
     if (!m_logs.dialect())
         return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was written"));
-    if (auto alone = m_logs.isAddressedAlone(); !alone)
-        return alone;
+    MB_TRY_VOID(m_logs.isAddressedAlone());
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
         return fail(Fault::OutOfRange, say("0 is no divisor"), say("the loop would be undefined"));

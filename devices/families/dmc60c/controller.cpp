@@ -242,8 +242,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         if (control.target == 0)
             (void)m_can.send(encodeControl(identity().address, wake));
     }
-    if (auto sent = m_can.send(encodeControl(identity().address, control)); !sent)
-        return sent;
+    MB_TRY_VOID(m_can.send(encodeControl(identity().address, control)));
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
     return {};
 }

@@ -92,10 +92,7 @@ Task<PageWriter::End> PageWriter::writePage(const Page &page)
         }
         Verdict verdict = Verdict::Again;
         if (reply) {
-            const Result<Verdict> told = verdictOf(page, reply->status);
-            if (!told)
-                co_return fail(told.error());
-            verdict = *told;
+            verdict = co_await verdictOf(page, reply->status);
         } else {
             verdict = co_await afterSilence(page);
         }

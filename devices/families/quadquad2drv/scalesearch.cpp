@@ -95,8 +95,7 @@ Task<void> ScaleSearch::measurePlant()
 {
     std::vector<PowerStep> steps;
     for (const double level : limitLevels) {
-        auto one = m_trial.powerStep(level * m_trial.mostPower());
-        const PowerStep there = co_await std::move(one);
+        const PowerStep there = co_await m_trial.powerStep(level * m_trial.mostPower());
         const PowerStep back = co_await m_trial.powerStep(level * m_trial.mostPower());
         const double speed = (there.speed + back.speed) / 2.0;
         tell(say("power %1: %2 and %3 counts/s", std::round(level * m_trial.mostPower()), std::round(there.speed),

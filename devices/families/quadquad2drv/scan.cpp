@@ -28,8 +28,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
         co_return fail(Fault::Unsupported, say("a QuadQuad2Drv lives on an SPI link"));
     PacketPort port(static_cast<SpiLink &>(link), clock);
     sink.progress(say("asking for the version"), 0, 1);
-    auto asking = port.request(getRequest(PacketId::GetVersion));
-    const Result<Packet> reply = co_await std::move(asking).attempt();
+    const Result<Packet> reply = co_await port.request(getRequest(PacketId::GetVersion)).attempt();
     if (!reply && reply.error().fault == Fault::LinkLost)
         co_return fail(reply.error());
     if (const auto version = reply ? parseVersion(*reply) : std::nullopt) {

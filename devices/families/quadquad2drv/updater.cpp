@@ -150,8 +150,7 @@ Task<void> Updater::sendAll()
     enter(Step::Sending);
     for (std::size_t i = 0; i < total; ++i) {
         m_progress.step(say("sending the firmware"), static_cast<int>(i), static_cast<int>(total));
-        auto sending = sendLine(i);
-        co_await std::move(sending);
+        co_await sendLine(i);
         m_sent = i + 1;
         m_progress.accepted(static_cast<int>(m_sent), 0);
     }

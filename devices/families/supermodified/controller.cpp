@@ -104,8 +104,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         return fail(Fault::Unsafe, say("its dialect is not known, so no move can be sent"), say("read it again"));
     if (!m_zeroing.expired())
         return fail(Fault::Unsafe, say("its position is being reset"), say("try again"));
-    if (auto taken = m_motion.command(setPoint); !taken)
-        return taken;
+    MB_TRY_VOID(m_motion.command(setPoint));
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
     return {};
 }

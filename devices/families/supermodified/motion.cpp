@@ -53,14 +53,12 @@ Result<void> Motion::check(const SetPoint &setPoint) const
     const auto command = commandFor(setPoint);
     if (!command)
         return mb::fail(command.error());
-    if (auto good = checkNumber(say("the target"), setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)); !good)
-        return good;
+    MB_TRY_VOID(checkNumber(say("the target"), setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)));
     if (auto fits
         = request(m_node.id, usualHostId, *command, m_node.dialect.value_or(Dialect::D3), m_count.targetOf(setPoint));
         !fits)
         return mb::fail(fits.error());
-    if (auto good = bounds().checkProfile(setPoint); !good)
-        return good;
+    MB_TRY_VOID(bounds().checkProfile(setPoint));
     if (!m_count.ofNode() && !setPoint.relative)
         return {}; // a move looks before it goes
     return bounds().checkReach(setPoint, m_count.stepOf(setPoint, m_energized));
@@ -126,8 +124,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
 {
     const SetPoint &order = step == Step::Begin ? m_gate.kept().order : m_orders.front();
     if (step == Step::Start || step == Step::Move || step == Step::Begin) { // the position is known now
-        if (auto reachable = bounds().checkReach(order, m_count.stepOf(order, m_energized)); !reachable)
-            return mb::fail(reachable.error());
+        MB_TRY_VOID(bounds().checkReach(order, m_count.stepOf(order, m_energized)));
     }
     switch (step) {
     case Step::Stop: return asking(m_node, Command::Stop);
@@ -295,8 +292,7 @@ Result<void> Motion::release()
         return mb::fail(Fault::Unsafe, *m_failure);
     if (isBusy())
         return mb::fail(notAcknowledged());
-    if (auto allowed = m_line.driven().mayRelease(); !allowed)
-        return allowed;
+    MB_TRY_VOID(m_line.driven().mayRelease());
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
     tell.left = [&driven = m_line.driven()] { driven.released(); }; // even when nobody waits for it any more

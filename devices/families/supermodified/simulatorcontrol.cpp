@@ -60,9 +60,4 @@ void Control::watchStall(std::int64_t error)
     m_stalled = true;
 }
 
-bool Control::takeStall()
-{
-    return std::exchange(m_stalled, false);
-}
-
 } // namespace mb::supermodified::simulation

@@ -3,6 +3,8 @@
 
 #include "families/supermodified/simulatorprofile.h"
 
+#include <utility>
+
 namespace mb::supermodified::simulation {
 
 /// The integer PID of the firmware, one step a loop, and its detection of a stall (README.md#settings).
@@ -24,7 +26,7 @@ public:
     /// The duty, -1 … 1.
     [[nodiscard]] double step(std::int64_t error);
     /// The last step has found the motor stalled for 2 s; once.
-    [[nodiscard]] bool takeStall();
+    [[nodiscard]] bool takeStall() { return std::exchange(m_stalled, false); }
 
 private:
     void watchStall(std::int64_t error);

@@ -82,8 +82,7 @@ Result<void> GpioLine::find(std::string_view name)
 
 Result<void> GpioLine::openInput(std::string_view name, std::function<void(bool)> changed)
 {
-    if (auto found = find(name); !found)
-        return found;
+    MB_TRY_VOID(find(name));
     if (gpiod_line_request_both_edges_events(m_line, consumer) != 0) {
         const int error = errno;
         close();
@@ -97,8 +96,7 @@ Result<void> GpioLine::openInput(std::string_view name, std::function<void(bool)
 
 Result<void> GpioLine::openOpenDrain(std::string_view name)
 {
-    if (auto found = find(name); !found)
-        return found;
+    MB_TRY_VOID(find(name));
     if (gpiod_line_request_output_flags(m_line, consumer, GPIOD_LINE_REQUEST_FLAG_OPEN_DRAIN, 1) != 0) {
         const int error = errno;
         close();

@@ -107,12 +107,9 @@ Result<void> PtyLine::claimPath()
 
 Result<void> PtyLine::open()
 {
-    if (auto claimed = claimPath(); !claimed)
-        return claimed;
-    if (auto opened = openTerminal(); !opened)
-        return opened;
-    if (auto put = putLink(); !put)
-        return put;
+    MB_TRY_VOID(claimPath());
+    MB_TRY_VOID(openTerminal());
+    MB_TRY_VOID(putLink());
     m_notifier = std::make_unique<QSocketNotifier>(m_master, QSocketNotifier::Read);
     QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(), [this] { readTerminal(); });
     return m_bridge.open();

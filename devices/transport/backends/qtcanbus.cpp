@@ -143,8 +143,7 @@ void QtCanLink::doClose()
 
 Result<void> QtCanLink::doSend(const CanFrame &frame, Priority priority)
 {
-    if (auto admitted = m_queue.admit(frame, priority, address().path); !admitted)
-        return admitted;
+    MB_TRY_VOID(m_queue.admit(frame, priority, address().path));
     m_queue.push(frame, priority);
     pump();
     return {};

@@ -152,8 +152,7 @@ Result<void> ReplayLink::seek(Duration position)
     position = std::clamp(position, Duration::zero(), std::max(m_file->end() - m_file->start(), Duration::zero()));
     const bool running = time.isRunning() || m_goesOn;
     pause();
-    if (auto sought = m_file->seek(m_file->start() + position); !sought)
-        return sought;
+    MB_TRY_VOID(m_file->seek(m_file->start() + position));
     forgetHealth();
     time.jump(instantOf(m_file->start() + position));
     armNext();
@@ -167,11 +166,6 @@ Result<bool> ReplayLink::survey(const std::function<void(const LoggedFrame &)> &
     if (!m_file)
         return fail(notOpen());
     return m_file->survey(seen);
-}
-
-Message ReplayLink::remark() const
-{
-    return m_file ? m_file->remark() : Message();
 }
 
 /// A damaged line ends the replay: survey() has named it.

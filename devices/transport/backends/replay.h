@@ -72,7 +72,7 @@ public:
     /// See RecordingFile::survey().
     [[nodiscard]] Result<bool> survey(const std::function<void(const LoggedFrame &)> &seen);
     /// What survey() has seen that is left out, or may not be whole, for people; empty: nothing.
-    [[nodiscard]] Message remark() const;
+    [[nodiscard]] Message remark() const { return m_file ? m_file->remark() : Message(); }
 
     /// The last frame has been delivered; time stands.
     [[nodiscard]] Listeners<> &ended() { return m_ended; }

@@ -373,8 +373,7 @@ void SocketCanLink::noteDrops(std::uint32_t total)
 
 Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
-    if (auto admitted = m_queue.admit(frame, priority, address().path); !admitted)
-        return admitted;
+    MB_TRY_VOID(m_queue.admit(frame, priority, address().path));
     if (m_queue.isNext(priority)) {
         const int cause = writeFrame(m_descriptor, frame, priority);
         if (cause == 0) {

@@ -74,8 +74,7 @@ SpidevLink::~SpidevLink()
 
 Result<void> SpidevLink::doOpen()
 {
-    if (auto opened = openDevice(); !opened)
-        return opened;
+    MB_TRY_VOID(openDevice());
     if (auto opened = openLines(); !opened) {
         doClose();
         return opened;

@@ -160,11 +160,6 @@ Result<void> VirtualSerialLink::doOpen()
     return {};
 }
 
-void VirtualSerialLink::doClose()
-{
-    m_line.detach(*this);
-}
-
 Result<void> VirtualSerialLink::doSend(std::span<const std::uint8_t> bytes, Priority priority)
 {
     countLost(m_queue.push(bytes, priority));

@@ -80,7 +80,7 @@ public:
 private:
     friend class VirtualSerialLine;
     Result<void> doOpen() override;
-    void doClose() override;
+    void doClose() override { m_line.detach(*this); }
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int) override { return {}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/plotfile.h"
+#include "app/documents.h"
 
 #include "app/application.h"
 #include "app/refusal.h"
@@ -11,6 +11,7 @@
 #include "widgets/plots/qcustomplotkeywords.h"
 #include "widgets/plots/recordedtraces.h"
 #include "widgets/plots/telemetrysource.h"
+#include "widgets/report/reportpdf.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -21,10 +22,11 @@
 namespace mb {
 namespace {
 
+constexpr std::int64_t largestReport = std::int64_t{256} << 20; // bytes
 constexpr double pictureScale = 2.0;
 constexpr QSize usualSize{1280, 800};
 
-void say(const Options &options, const LoadedRecording &recording, int traces)
+void print(const Options &options, const LoadedRecording &recording, int traces)
 {
     const auto [samples, lost, seconds] = totalsOf(recording);
     if (options.json) {
@@ -79,7 +81,24 @@ int plotFile(const Options &options)
             options.json);
     if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
         return refuse(saved.error(), options.json);
-    say(options, **recording, stack.strips().traceCount());
+    print(options, **recording, stack.strips().traceCount());
+    return 0;
+}
+
+int printReport(const Options &options)
+{
+    const auto html = loadFile(options.report.toLocal8Bit().toStdString(), largestReport);
+    if (!html)
+        return refuse(html.error(), options.json);
+    if (!html->trimmed().toLower().startsWith("<!doctype html"))
+        return refuse({Fault::OutOfRange, say("%1 is no report", options.report.toStdString())}, options.json);
+    if (!options.out.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        return refuse({Fault::OutOfRange, say("--out '%1' is no PDF", options.out.toStdString())}, options.json);
+    const QByteArray pdf = pdfOf(QString::fromUtf8(*html));
+    if (pdf.isEmpty())
+        return refuse({Fault::OutOfRange, say("the report cannot be painted"), {}}, options.json);
+    if (const auto saved = saveFile(options.out.toLocal8Bit().toStdString(), pdf); !saved)
+        return refuse(saved.error(), options.json);
     return 0;
 }
 

@@ -9,4 +9,8 @@ struct Options;
 /// the options. Yields the exit status: 0, or that of refuse() after one line on standard error. Needs a QApplication, no screen.
 [[nodiscard]] int plotFile(const Options &options);
 
+/// Prints the report that `options.report` holds as HTML into the PDF `options.out`. Yields the exit status: 0, or that of refuse() after one line
+/// on standard error. Needs a QApplication, no screen.
+[[nodiscard]] int printReport(const Options &options);
+
 } // namespace mb
