@@ -99,15 +99,18 @@ double largestOfDirection(const Envelope &envelope)
 }
 
 Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis, GuardPlan guards,
-    std::optional<Trip> &trip)
+    std::optional<Trip> &trip, double farthest)
 {
     const TrialTraits &traits = *device.family().trials;
-    const double largest = largestOfDirection(guards.envelope);
+    const bool isSent = traits.nudge > 0.0; // it stops by itself where it was sent
+    const double most = isSent ? std::max(traits.nudge, farthest) : largestOfDirection(guards.envelope);
     SetPoint setPoint;
     setPoint.axis = axis;
+    setPoint.mode = isSent ? Mode::Position : Mode::Duty;
+    setPoint.relative = isSent;
     if (device.family().capabilities.output.brake)
         setPoint.brake = true;
-    if (traits.nudge > 0.0) { // it stops by itself where it was sent
+    if (isSent) {
         guards.envelope.travel = std::min(guards.envelope.travel.value_or(traits.nudgeTravel), traits.nudgeTravel);
         guards.lag = 0.0;
         guards.telemetry = guards.command = Duration::zero();
@@ -122,31 +125,27 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         co_return fail(Fault::Unsafe, say("the shaft still turns, so nobody can tell which way it is pushed"),
             say("let it come to rest first"));
     recorder.guard(guards);
-    const double enough = traits.nudge > 0.0 ? leastNudge : clearMove / 2.0;
+    const double enough = isSent ? leastNudge : clearMove / 2.0;
     double moved = 0.0;
-    double duty = traits.nudge > 0.0 ? 0.0 : std::min(firstDuty, largest);
-    for (bool last = false; !last && std::abs(moved) < enough; duty = std::min(duty * harder, largest)) {
-        last = traits.nudge > 0.0 || duty >= largest;
-        setPoint.mode = traits.nudge > 0.0 ? Mode::Position : Mode::Duty;
-        setPoint.relative = traits.nudge > 0.0;
-        setPoint.target = traits.nudge > 0.0 ? traits.nudge : duty;
+    double strength = isSent ? traits.nudge : std::min(firstDuty, most);
+    for (bool last = false; !last && std::abs(moved) < enough; strength = std::min(strength * harder, most)) {
+        last = strength >= most;
+        setPoint.target = strength;
         ++setPoint.order;
-        const double pushed = duty;
-        auto pushing = push(device, stream, recorder, setPoint, clearMove, traits.nudge > 0.0 ? nudgeTime : pulse);
+        auto pushing = push(device, stream, recorder, setPoint, clearMove, isSent ? nudgeTime : pulse);
         moved = co_await std::move(pushing);
         if (moved >= enough) {
             device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
-            co_return pushed;
+            co_return isSent ? 0.0 : setPoint.target;
         }
     }
     if (std::abs(moved) < enough)
         co_return wrong(device, axis, trip, Guard::NoMotion,
-            traits.nudge > 0.0
-                ? say("the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is "
-                      "dead",
-                    moved)
-                : say("the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead",
-                    std::round(largest * 100.0), moved));
+            isSent ? say("the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is "
+                         "dead",
+                most, moved)
+                   : say("the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead",
+                       std::round(most * 100.0), moved));
     co_return wrong(device, axis, trip, Guard::WrongDirection,
         say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
 }

@@ -42,11 +42,11 @@ private:
 [[nodiscard]] double largestOfDirection(const Envelope &envelope);
 
 /// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty
-/// command, sends it the short way of TrialTraits::nudge. Yields the duty that moved it (0 where it was sent).
-/// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
+/// command, sends it the short way of TrialTraits::nudge, and longer ones up to `farthest`. Yields the duty that moved it (0 where it
+/// was sent). The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
 /// the error is Unsafe, and `trip` says which, where the recorder has none. The stream is idle before and after.
 [[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
-    GuardPlan guards, std::optional<Trip> &trip);
+    GuardPlan guards, std::optional<Trip> &trip, double farthest = 0.0);
 
 /// Moves an axis by this set-point for `limit` at most, which begins with its first frame: a guardian that is still on its way costs it
 /// nothing. Ends where the motor has gone `enough` counts, or does not begin to go. Yields the counts once it rests. Unsafe where something

@@ -23,9 +23,7 @@ constexpr int growingPeaks = 6;
 constexpr int lastingPeaks = 25;
 constexpr int mostFlips = 20; ///< a second
 constexpr double planMargin = 1.5;
-constexpr Duration silence = 100ms;
 constexpr int silentPeriods = 5;
-constexpr double mostLost = 0.05;
 constexpr double surelyReal = 5.0;     ///< σ of the noise
 constexpr double fullPush = 1.0 / 3.0; ///< breakaway for which a push of 1 surely moves it
 
@@ -205,7 +203,7 @@ std::optional<Trip> Guards::error(Instant time, double error)
 
 std::optional<Trip> Guards::judgeSilence(Instant now)
 {
-    const Duration patience = std::max<Duration>(silence, silentPeriods * m_plan.telemetry);
+    const Duration patience = std::max<Duration>(m_plan.silence, silentPeriods * m_plan.telemetry);
     if (now - m_heardAt > patience)
         return trip(Guard::Link, m_heardAt + patience, say("no sample for %1", milliseconds(now - m_heardAt)));
     if (now - m_positionAt > patience)
@@ -218,7 +216,7 @@ std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64
     if (auto silent = judgeSilence(now))
         return silent;
     m_loss.add(now, samples, lost);
-    if (m_loss.share() > mostLost)
+    if (m_loss.share() > m_plan.mostLost)
         return trip(
             Guard::Link, now, say("%1 % of the samples were lost in a second", rounded(m_loss.share() * 100.0)));
     const auto longest = std::chrono::duration_cast<Duration>(m_plan.longest * planMargin);

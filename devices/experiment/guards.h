@@ -55,6 +55,9 @@ struct GuardPlan {
     Duration telemetry{};    ///< period of the samples
     Duration command{};      ///< period of the set-points
     Duration longest{};      ///< of the plan, way back included; it may take half as long again
+    Duration silence
+        = std::chrono::milliseconds(100); ///< without a sample or a position, at least five periods of them
+    double mostLost = 0.05;               ///< share of the samples of a second; 1: silence alone counts
 };
 
 /// Watches every sample of a moving motor. Pure: samples and instants in, the first trip out; nothing afterwards. A sample

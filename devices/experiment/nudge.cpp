@@ -7,8 +7,10 @@
 #include "model/family.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace mb::tuning {
 namespace {
@@ -19,10 +21,13 @@ constexpr Duration pushTime = 150ms;
 constexpr Duration sendTime = 400ms; ///< of a move that ends by itself
 constexpr Duration restTime = 300ms; ///< each is seen by itself
 constexpr Duration longestNudge = 60s;
+/// Less than a move has to begin; a line that loses some is silent for 200 ms before one.
+constexpr Duration longestSilence = 280ms;
 constexpr double firstNudge = 0.08;
 constexpr double strongestNudge = 0.30;
 constexpr double harderNudge = 1.4;
 constexpr double timesTheCheck = 5.0; ///< of the move that checks the direction: to be seen from a step away
+constexpr std::array<std::string_view, 1> guarded{"position"};
 constexpr double unbounded = std::numeric_limits<double>::infinity(); ///< counts that end no push
 
 /// Of a device whose short way `way` is a closed loop.
@@ -37,8 +42,10 @@ Task<void> guardWay(Device &device, SetPointStream &stream, TrialRecorder &recor
     guards.lowestBus = traits.lowestBus;
     guards.highestBus = traits.highestBus;
     guards.longest = longestNudge;
+    guards.silence = longestSilence;
+    guards.mostLost = 1.0;
     std::optional<Trip> trip;
-    (void)co_await checkDirection(device, stream, recorder, axis, guards, trip);
+    (void)co_await checkDirection(device, stream, recorder, axis, guards, trip, way);
     guards.envelope.travel = way + traits.nudgeTravel;
     guards.origin = recorder.latest("position").value_or(0.0);
     recorder.guard(guards);
@@ -93,8 +100,8 @@ Task<double> nudge(Device &device, SetPointStream &stream, int axis, const Exper
     const double way = traits ? timesTheCheck * traits->nudge : 0.0;
     TrialRecorder recorder(device, stream, way > 0.0 ? Mode::Position : Mode::Duty, axis);
     RaisedRates rates(device);
-    if (way > 0.0) // its guards need them
-        co_await rates.raise(axis, traits->rate, surroundings);
+    if (way > 0.0)
+        co_await rates.raise(axis, traits->rate, surroundings, guarded);
     const Result<double> moved = co_await toAndFro(device, stream, recorder, axis, way).attempt();
     co_await rates.lower(surroundings);
     co_return moved;

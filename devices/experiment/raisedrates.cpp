@@ -10,9 +10,10 @@ constexpr Duration rateTime = std::chrono::milliseconds(200); ///< until samples
 
 } // namespace
 
-Task<void> RaisedRates::raise(int axis, double rate, const ExperimentSurroundings &around)
+Task<void> RaisedRates::raise(
+    int axis, double rate, const ExperimentSurroundings &around, std::span<const std::string_view> keys)
 {
-    for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
+    for (const std::string_view key : keys) {
         const auto channel = axisChannel(m_device, key, axis);
         if (!channel)
             continue;

@@ -4,6 +4,9 @@
 #include "experiment/experimentplan.h"
 #include "model/device.h"
 
+#include <array>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace mb::tuning {
@@ -15,9 +18,11 @@ public:
         : m_device(device)
     {
     }
-    /// Samples per second of what a loop is judged by. LinkLost fails; a channel that has no such rate stays as it is, and one
-    /// whose rate could not be set is said.
-    [[nodiscard]] Task<void> raise(int axis, double rate, const ExperimentSurroundings &around);
+    static constexpr std::array<std::string_view, 4> ofLoops{"position", "velocity", "current", "duty"};
+    /// Samples per second of what a loop is judged by, or of these; they share the line. LinkLost fails; a channel that has no such
+    /// rate stays as it is, and one whose rate could not be set is said.
+    [[nodiscard]] Task<void> raise(
+        int axis, double rate, const ExperimentSurroundings &around, std::span<const std::string_view> keys = ofLoops);
     /// Whatever could not be put back is said.
     [[nodiscard]] Task<void> lower(const ExperimentSurroundings &around);
 

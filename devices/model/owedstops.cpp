@@ -48,7 +48,9 @@ std::vector<OwedStop> OwedStops::unseen() const
 
 bool OwedStops::isOwed(std::string_view line, std::string_view selector) const
 {
-    return std::ranges::any_of(m_owed, [&](const OwedStop &one) { return isOf(one, line, selector); });
+    return std::ranges::any_of(m_owed, [&](const OwedStop &one) {
+        return isOf(one, line, selector) && m_clock.now() - one.since < DeviceStop::debtLimit;
+    });
 }
 
 bool OwedStops::isFollowed(const OwedStop &owed, const Link *on) const

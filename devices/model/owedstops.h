@@ -21,7 +21,7 @@ public:
 
     /// Those whose device does not show its own stop or motion. As of the last change of ours, or of the last second.
     [[nodiscard]] std::vector<OwedStop> unseen() const;
-    /// As of the same moment; whether or not its device follows it.
+    /// As of the same moment; whether or not its device follows it. An older one than DeviceStop::debtLimit is only shown.
     [[nodiscard]] bool isOwed(std::string_view line, std::string_view selector) const;
     /// A link was opened: what is owed on its line, now or later, is this program's business, and is sent before anything else.
     void pay(Link &link);

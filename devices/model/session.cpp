@@ -131,7 +131,7 @@ Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::ve
         co_return fail(std::move(error));
     if (m_stops.mayTurn(link, selector))
         co_return fail(Fault::Unsafe, say("the motor was not seen to stand"),
-            say("cut its power, or look at it and say that it stands"));
+            say("cut its power and try again after 10 minutes, or look at it and say in the window that it stands"));
     Identity silent;
     silent.family = selector.family;
     silent.address = selector.address;

@@ -161,11 +161,13 @@ TEST(Session, YieldsNoSilentUnitWhoseStopAnEarlierRunStillOwes)
         return test::run(clock, session.connect(*DeviceSelector::parse(selector), true));
     };
     guard.book.push_back({link.line(), "socketcan:can0/abstractdc:3", {}, clock.now()});
+    guard.book.push_back({link.line(), "socketcan:can0/abstractdc:4", {}, clock.now() - DeviceStop::debtLimit});
     clock.advance(2s);
     const auto owed = silent("sim:can/abstractdc:3");
     ASSERT_FALSE(owed);
     EXPECT_EQ(owed.error().fault, Fault::Unsafe) << owed.error().text();
     EXPECT_TRUE(silent("sim:can/abstractdc:6"));
+    EXPECT_TRUE(silent("sim:can/abstractdc:4")) << "nobody can see a mute one stand: its debt ends with its time";
     session.stops().dismiss();
     EXPECT_TRUE(silent("sim:can/abstractdc:3"));
 }

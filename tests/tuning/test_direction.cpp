@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The check of the direction from inside: how hard it pushes, what ends it, and for how long nobody need watch.
 #include "async/sleep.h"
+#include "experiment/gains.h"
 #include "experiment/nudge.h"
 #include "families/quadquad2drv/codec.h"
 #include "model/leaserenewal.h"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -273,6 +276,80 @@ TEST(Nudge, TurnsAGoodShaftALittle)
         const Nudged nudged(bench);
         ASSERT_TRUE(nudged.result) << family << ' ' << nudged.result.error().text();
         EXPECT_GE(*nudged.result, 8.0) << family;
+    }
+}
+
+/// Friction holds what 20 counts make of such a P.
+void holdSoftly(ExperimentBench &bench)
+{
+    EXPECT_TRUE(test::run(
+        bench.bench.clock, writeGains(*bench.device, {bench.change("gain.p", 500.0), bench.change("gain.i", 0.0)})));
+}
+
+TEST(Nudge, TurnsAShaftThatIsHeldSoftly)
+{
+    for (const int node : {4, 5}) {
+        ExperimentBench bench("sim:serial", "supermodified", node);
+        holdSoftly(bench);
+        const Nudged nudged(bench);
+        ASSERT_TRUE(nudged.result) << node << ' ' << nudged.result.error().text();
+        EXPECT_GE(*nudged.result, leastNudged);
+        EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "agrees");
+    }
+}
+
+TEST(Nudge, ThatIsHeldSoftlyIsEndedByTheCheckOfItsDirectionToo)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 5);
+    holdSoftly(bench);
+    EXPECT_TRUE(bench.simulator()->disturb("encoder-reversed", 1.0));
+    const Nudged nudged(bench);
+    ASSERT_FALSE(nudged.result) << *nudged.result;
+    EXPECT_EQ(nudged.result.error().fault, Fault::Unsafe) << nudged.result.error().text();
+    EXPECT_LE(nudged.farthest, 60.0 + 0.02 * nudged.fastest);
+}
+
+TEST(Nudge, OfABlockedShaftSaysSo)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    EXPECT_TRUE(bench.simulator()->disturb("stall", 1.0));
+    const Nudged nudged(bench);
+    ASSERT_FALSE(nudged.result) << *nudged.result;
+    EXPECT_NE(nudged.result.error().text().find("sent 100 counts up"), std::string::npos)
+        << nudged.result.error().text();
+    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "no motion");
+}
+
+/// A relative move is never sent twice: one that is lost ends it.
+TEST(Nudge, GoesOnWhereALineLosesSome)
+{
+    int turned = 0;
+    for (int seed = 1; seed <= 8; ++seed) {
+        ExperimentBench bench("sim:serial?loss=0.02&seed=" + std::to_string(seed), "supermodified", 4);
+        const Nudged nudged(bench);
+        turned += nudged.result ? 1 : 0;
+        EXPECT_TRUE(nudged.result || nudged.result.error().text().find("never sent twice") != std::string::npos)
+            << seed << ' ' << nudged.result.error().text();
+    }
+    EXPECT_GE(turned, 5);
+}
+
+TEST(Nudge, EndsWhereALineSaysNothingAnyMore)
+{
+    for (const int node : {4, 5}) {
+        ExperimentBench bench("sim:serial", "supermodified", node);
+        Timer soon(bench.bench.clock);
+        const std::function<void()> cut = [&] {
+            if (bench.simulator()->speed() > 10.0)
+                bench.simulator()->setPowered(false);
+            else
+                soon.startIn(1ms, cut);
+        };
+        cut();
+        const Nudged nudged(bench);
+        ASSERT_FALSE(nudged.result) << *nudged.result;
+        EXPECT_EQ(nudged.result.error().fault, Fault::Unsafe) << nudged.result.error().text();
+        EXPECT_LE(nudged.farthest, 60.0) << node;
     }
 }
 

@@ -245,6 +245,13 @@ TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
     EXPECT_FALSE(patient.look(start + 200ms, 0, 0));
     EXPECT_TRUE(patient.look(start + 201ms, 0, 0));
 
+    GuardPlan unmeasured = plan();
+    unmeasured.silence = 250ms;
+    unmeasured.mostLost = 1.0;
+    Guards heard(unmeasured, start);
+    EXPECT_FALSE(heard.look(start + 250ms, 100, 99));
+    EXPECT_TRUE(heard.look(start + 251ms, 100, 99));
+
     const auto lossy = [](std::uint64_t each) {
         return [each](Guards &g, Instant t, int i) {
             (void)g.position(t, 200.0);
