@@ -182,9 +182,8 @@ DeviceId DeviceBook::idOf(const Device &device) const
 
 bool DeviceBook::isRecognised(const Device &device) const
 {
-    const auto entry = entryOf(m_entries, device);
-    const bool canTell = entry != m_entries.end() && !entry->units.empty();
-    return !canTell || (!device.liveness().restarted && !device.identity().serial.empty());
+    return entryOf(m_entries, device)->units.empty()
+        || (!device.liveness().restarted && !device.identity().serial.empty());
 }
 
 SetPointStream &DeviceBook::stream(const Device &device)

@@ -25,21 +25,16 @@ public:
             return place == 9;
         return ((m_bytes[bit / 10] >> (place - 1)) & 1U) != 0;
     }
-    /// The start of the first low bit from `time` on that a high one precedes; end() when there is none.
+    /// The start of the first low bit from `time` on that a high one precedes; not before end() when there is none.
     [[nodiscard]] double fallingEdge(double time) const
     {
-        bool high = isHigh(time);
         double bit = std::floor(time);
-        if (bit == time && !high && isHigh(time - 0.5))
-            return time;
-        while (bit < end()) {
+        if (bit == time && !isHigh(bit) && isHigh(bit - 1.0))
+            return bit;
+        do
             bit += 1.0;
-            const bool next = isHigh(bit);
-            if (high && !next)
-                return bit;
-            high = next;
-        }
-        return end();
+        while (bit < end() && (isHigh(bit) || !isHigh(bit - 1.0)));
+        return bit;
     }
 
 private:

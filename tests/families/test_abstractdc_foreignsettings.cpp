@@ -145,6 +145,19 @@ TEST_F(AbstractDcForeign, SavesOfAnotherMasterAreCountedToo)
     EXPECT_EQ(test::run(clock, device->store(progress)).error().fault, Fault::Unsafe);
 }
 
+TEST_F(AbstractDcForeign, AnotherDriveInItsPlaceHasNothingThatIsNotSavedAndWasNeverSaved)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    others("0CB#02");
+    ASSERT_TRUE(write("velocity.p", 5));
+    EXPECT_EQ(counter("unsaved.velocity.p"), 1);
+    EXPECT_EQ(counter("saves.current"), 1);
+    device->knowledge().unitExchanged();
+    EXPECT_EQ(counter("unsaved.velocity.p"), 0);
+    EXPECT_EQ(counter("saves.current"), 0);
+}
+
 /// A host that is gone before this one came.
 TEST_F(AbstractDcForeign, NeitherADivisorIsWrittenNorAnythingSavedWhileAMotorTurnsThatSomebodyMayDrive)
 {

@@ -179,6 +179,19 @@ TEST(QuadQuad2DrvExperiment, AMotorThatDoesNotTurnIsRefused)
     EXPECT_NE(report.error().text().find("did not turn"), std::string::npos) << report.error().text();
 }
 
+/// A load on one side: at the least power the motor turns some 212 counts/s, and 11 more or less for each 0.001 N·m.
+TEST(QuadQuad2DrvExperiment, AMotorThatIsAFifthFasterOneWayThanTheOtherIsRefused)
+{
+    for (const auto &[torque, isRefused] : {std::pair{0.003, false}, {0.005, true}}) {
+        Board bench("quadquad2drv:0");
+        ASSERT_TRUE(bench.board().disturb("load-torque", torque));
+        Operation operation(bench.clock, say("scales"));
+        const auto report = bench.find(withPower(0.25), operation);
+        const std::string why = report ? std::string() : report.error().text();
+        EXPECT_EQ(why.find("turns differently in both directions") != std::string::npos, isRefused) << why;
+    }
+}
+
 TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
 {
     Board bench("quadquad2drv:0,target=shifted");

@@ -88,11 +88,17 @@ TEST(QuadQuad2DrvScaleTrial, AMotorIsStoppedAtSixteenTenthsOfTheSpeedThatItsPowe
             return search.operation.status().step.english() == "looking for velocity P";
         },
         1min));
-    ASSERT_TRUE(search.bench.clock.runUntil([&] { return search.bench.board().speed() < -0.4 * fastest; }, 1min));
-    double torque = 0.3;
+    Instant since = search.bench.clock.now();
+    const auto lasts = [&] { // longer than those that look for the first gain
+        if (search.bench.board().speed() > -0.2 * fastest)
+            since = search.bench.clock.now();
+        return search.bench.clock.now() - since > 800ms;
+    };
+    ASSERT_TRUE(search.bench.clock.runUntil(lasts, 1min));
+    double torque = 0.5;
     Timer pushing(search.bench.clock);
     std::function<void()> push = [&] {
-        search.disturb("load-torque", torque += 0.008);
+        search.disturb("load-torque", torque += 0.035);
         pushing.startIn(20ms, push);
     };
     push();

@@ -120,6 +120,10 @@ TEST(SupermodifiedMasks, WhileThatOfANodeCannotBeReadNoOtherIsDriven)
         ASSERT_FALSE(allowed) << scans;
         EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
         EXPECT_NE(allowed.error().text().find("node 5"), std::string::npos) << allowed.error().text();
+        Line::of(bench.host, bench.clock)->roster().forget(5);
+        EXPECT_TRUE(four->mayMove()) << "a scan missed it";
+        bench.clock.advance(1s);
+        EXPECT_FALSE(four->mayMove()) << "it is heard, with a mask that nobody has read";
         ASSERT_TRUE(run(bench.clock, five->write(Bench::index("error.level"), 0)));
         ASSERT_TRUE(run(bench.clock, five->refresh()));
         EXPECT_TRUE(four->mayMove()) << four->mayMove().error().text();

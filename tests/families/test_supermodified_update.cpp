@@ -139,6 +139,7 @@ TEST(SupermodifiedFirmware, BeginsWithAJumpLongOrShort)
     for (const std::vector<std::uint8_t> &other :
         {std::vector<std::uint8_t>{0x0C, 0x95}, {0x0E, 0x94}, {0x00, 0xD0}, {0x94, 0x0C}, {0x0C}})
         EXPECT_FALSE(inspect(programOf(0, other))) << int{other[0]};
+    EXPECT_FALSE(inspect(image(":01000100C03E\n:00000001FF\n"))) << "half a jump";
 }
 
 TEST(SupermodifiedFirmware, EndsWithTheFlash)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all devices have in common: what may be read, written, moved and stopped, and what is known afterwards.
 #include "async/virtualclock.h"
+#include "model/answersagain.h"
 #include "model/parametertransfer.h"
 #include "support/loosemotor.h"
 #include "support/simulatedsession.h"
@@ -49,6 +50,11 @@ public:
         : MuteDevice(family, link, clock, {})
     {
     }
+    Task<void> refresh() override
+    {
+        ++refreshes;
+        co_return answers ? Result<void>() : fail(silence);
+    }
     void meetMaster()
     {
         Liveness now = liveness();
@@ -63,11 +69,13 @@ public:
     }
 
     bool answers = true;
-    std::int64_t inForce = 0; ///< what it makes of a value
+    Fault silence = Fault::Timeout; ///< of a question that it does not answer
+    std::int64_t inForce = 0;       ///< what it makes of a value
     bool obeys = true;
     Fault refusal = Fault::Unsafe; ///< of a write that it does not obey
     Result<void> ownReason;
     std::optional<ParameterIndex> missing; ///< in its dialect
+    int refreshes = 0;
     int reads = 0;
     int writes = 0;
     int commands = 0;
@@ -146,6 +154,22 @@ protected:
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
     std::optional<AnsweringMotor> motor;
 };
+
+TEST_F(CommonDevice, AUnitThatWasWrittenIsAskedTenTimesInFiveSecondsBeforeItCountsAsSilent)
+{
+    make().answers = false;
+    const Instant begin = clock.now();
+    EXPECT_EQ(test::run(clock, answersAgain(*motor)), false);
+    EXPECT_EQ(motor->refreshes, 10);
+    EXPECT_EQ(clock.now() - begin, 5s);
+    motor->silence = Fault::LinkLost;
+    EXPECT_EQ(test::run(clock, answersAgain(*motor)).error().fault, Fault::LinkLost);
+    EXPECT_EQ(motor->refreshes, 11) << "nobody could answer";
+    motor->answers = true;
+    EXPECT_EQ(test::run(clock, answersAgain(*motor)), true);
+    EXPECT_EQ(motor->refreshes, 12);
+    EXPECT_EQ(clock.now() - begin, 6s) << "half a second after it was written, and after each question";
+}
 
 TEST_F(CommonDevice, WhatIsReadIsKnownAndWhatWasNotAnsweredHasFailed)
 {

@@ -293,6 +293,29 @@ TEST(Session, ThatKeepsNoHistoriesHasNoneOfADevice)
     EXPECT_TRUE(telemetry.latest(*telemetry.find("velocity")));
 }
 
+TEST(Session, AUnitIsRecognisedWhileItHasToldWhoItIsSinceItRestarted)
+{
+    SimulatedSession bench;
+    bench.scan();
+    Device &device = *bench.device(7);
+    EXPECT_TRUE(bench.session.isRecognised(device));
+    for (const Duration without : {0ms, 1000ms}) {
+        bench.simulator("dmc60c:7")->setPowered(false);
+        bench.clock.advance(without);
+        bench.simulator("dmc60c:7")->setPowered(true);
+        bench.clock.advance(3s);
+        ASSERT_TRUE(device.liveness().restarted);
+        ASSERT_NE(device.identity().serial, "") << "of the one before";
+        EXPECT_FALSE(bench.session.isRecognised(device));
+        ASSERT_TRUE(test::run(bench.clock, device.refresh()));
+        EXPECT_TRUE(bench.session.isRecognised(device));
+    }
+    Identity identity = device.identity();
+    identity.serial.clear();
+    device.setIdentity(identity);
+    EXPECT_FALSE(bench.session.isRecognised(device)) << "its serial number is not read yet";
+}
+
 TEST(Session, ASerialNumberThatIsLearnedLaterMakesNoOtherUnitOfADevice)
 {
     SimulatedSession bench;

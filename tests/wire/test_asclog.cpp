@@ -168,6 +168,14 @@ TEST(AscLog, WritesWhatTheDescriptionsShow)
         "End TriggerBlock\n");
 }
 
+TEST(AscLog, WritesTheSecondsOfItsStartWithoutZerosBefore)
+{
+    FrameLogWriter writer(LogFormat::Asc);
+    std::string text;
+    writer.write({7s + 250ms, "can0", *canFrameFromText("123#R4"), LogDirection::Sent}, text);
+    EXPECT_NE(text.find("// MotorBench start 7.250000\n"), std::string::npos) << text;
+}
+
 TEST(AscLog, WritesADateThatItReads)
 {
     for (const Duration time : {0ns, Duration(september), Duration(4102444799s + 999ms)})

@@ -420,10 +420,9 @@ void Controller::updateLiveness()
     const bool heard = m_presence.isHeard();
     const bool moving = heard && (last.duty != 0 || m_sense.isTurning(clock().now()));
     const std::uint32_t frameless = m_faultWatch.present(clock().now());
-    // One frame in ten thousand changes any of this: compare a word before building texts.
-    const std::uint32_t key = (heard ? 1U : 0U) | (moving ? 2U : 0U) | (m_presence.hasForeignMaster() ? 4U : 0U)
-        | (m_restarted ? 8U : 0U) | (last.overTemperature ? 16U : 0U) | (last.underVoltage ? 32U : 0U)
-        | (last.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(last.mode) << 8U) | (frameless << 16U);
+    // One frame in ten thousand changes any of this: compare it before building texts.
+    const decltype(m_livenessKey) key{heard, moving, m_presence.hasForeignMaster(), m_restarted, last.overTemperature,
+        last.underVoltage, last.gateDriver, static_cast<std::uint32_t>(last.mode), frameless};
     if (key == m_livenessKey) {
         setLiveness(liveness(), m_sense.states(), m_sense.statesAt());
         return;

@@ -6,6 +6,8 @@
 #include "families/dmc60c/statusrates.h"
 #include "families/dmc60c/statussense.h"
 
+#include <array>
+
 namespace mb::dmc60c {
 
 /// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only
@@ -70,7 +72,7 @@ private:
     Timer m_unanswered; ///< a question that no task waits for
     bool m_restarted = false;
     Instant m_periodAskedAt{};
-    std::uint32_t m_livenessKey = ~0U;
+    std::array<std::uint32_t, 9> m_livenessKey{};
     int m_wakes = 0;         ///< frames that are still to take the device out of its halt
     Instant m_commandedAt{}; ///< the latest set-point
     bool m_isBraked = false; ///< it overrode the unit's button

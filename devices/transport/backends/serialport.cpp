@@ -259,7 +259,6 @@ void SerialPortLink::doClose()
     }
     m_timer.stop();
     m_failed.stop();
-    m_queue.clear();
     m_echo.clear();
 }
 
