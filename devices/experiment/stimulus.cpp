@@ -161,6 +161,11 @@ std::vector<double> Stimulus::edges() const
     return found;
 }
 
+bool Stimulus::glides() const
+{
+    return profile == Profile::Ramp || profile == Profile::Sine || profile == Profile::Chirp;
+}
+
 double Stimulus::hold() const
 {
     return profile == Profile::Square ? period / 2.0 : time;
