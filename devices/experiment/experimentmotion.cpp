@@ -32,7 +32,7 @@ ExperimentMotion::ExperimentMotion(Device &device, SetPointStream &stream, const
     , m_around(surroundings)
     , m_recorder(recorder)
     , m_trial(trial)
-    , m_beat(inSeconds(device.family().capabilities.commandPeriod))
+    , m_beat(device.family().capabilities.commandPeriod)
 {
 }
 
@@ -86,7 +86,7 @@ bool ExperimentMotion::beginsHere()
     const auto here = m_recorder.latest("position");
     if (m_plan.mode != Mode::Position || m_plan.from || !here)
         return false;
-    const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, m_beat);
+    const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, inSeconds(m_beat));
     if (!stimulus)
         return false;
     m_trial.stimulus = *stimulus;
@@ -145,7 +145,7 @@ Task<void> ExperimentMotion::followOnce(double dither)
     co_return {};
 }
 
-/// On the device's beat.
+/// On the device's beat, or that of what glides. After a stall with one set-point, not a burst.
 Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
 {
     const Stimulus &stimulus = m_trial.stimulus;
@@ -154,12 +154,14 @@ Task<void> ExperimentMotion::followProfile(Instant begin, Instant end)
     const double start = m_recorder.latest(measuredOf(m_plan.mode)).value_or(stimulus.from);
     const auto way = isClosedLoop(m_plan.mode) ? std::optional(TrialRecorder::Way{start, stimulus.to}) : std::nullopt;
     const double place = m_recorder.latest("position").value_or(m_origin);
-    for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
+    const Duration beat = stimulus.glides() ? m_device.family().trials->glideBeat : m_beat;
+    while (!isOver() && clock.now() < end) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
         if (hasGoneFar(place)
             || (endsSettled && m_recorder.hasSettled(begin, MotionTimes::leastHold, way, restWidth())))
             break;
-        co_await Sleep(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
+        const Instant next = begin + ((clock.now() - begin) / beat + 1) * beat;
+        co_await Sleep(clock, std::min(next, end) - clock.now());
     }
     co_return {};
 }
@@ -201,7 +203,7 @@ Task<void> ExperimentMotion::comeBack()
     const Instant limit
         = back + ofSeconds(std::max(std::min(stimulus.length(), MotionTimes::longestReturn), m_plan.rest));
     while (!isOver() && clock.now() < limit && !hasReturned(back))
-        co_await Sleep(clock, ofSeconds(m_beat));
+        co_await Sleep(clock, m_beat);
     m_returns.emplace_back(back, clock.now());
     co_return {};
 }

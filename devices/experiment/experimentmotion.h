@@ -58,7 +58,7 @@ private:
     const ExperimentSurroundings &m_around;
     TrialRecorder &m_recorder;
     Trial &m_trial;
-    const double m_beat;   ///< s
+    const Duration m_beat; ///< of the device's set-points
     double m_origin = 0.0; ///< counts
     bool m_completed = false;
     std::optional<Trip> m_unreached;

@@ -161,6 +161,11 @@ std::vector<double> Stimulus::edges() const
     return found;
 }
 
+bool Stimulus::glides() const
+{
+    return profile == Profile::Ramp || profile == Profile::Sine || profile == Profile::Chirp;
+}
+
 bool prbsBit(int index)
 {
     return prbsBits[static_cast<std::size_t>(index % prbsLength)];

@@ -39,6 +39,8 @@ struct Stimulus {
     [[nodiscard]] double length() const;
     /// Jumps from `from` to `to`, s after the beginning; none for profiles that never jump.
     [[nodiscard]] std::vector<double> edges() const;
+    /// It moves all the time: the rarer its set-points, the larger the jumps that a loop answers.
+    [[nodiscard]] bool glides() const;
     /// How long the target stays after such a jump.
     [[nodiscard]] double hold() const { return profile == Profile::Square ? period / 2.0 : time; }
 

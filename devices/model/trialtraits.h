@@ -4,6 +4,7 @@
 #include "model/setpoint.h"
 
 #include <array>
+#include <chrono>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -74,6 +75,8 @@ struct TrialTraits {
     double rate = 100.0;      ///< samples per second asked for while a trial runs
     double currentRate = 0.0; ///< the same for a trial of a current loop; 0: no other
     RawLoop raw{};            ///< of its loops, where there is no duty command
+    /// Between the set-points of a profile that glides and that this program leads; at most Capabilities::commandPeriod.
+    std::chrono::milliseconds glideBeat{20};
     double nudge
         = 0.0; ///< counts of the move that checks the direction where there is no duty command; 0: a pulse of duty
     double nudgeTravel = 0.0;          ///< counts, either side, while it does

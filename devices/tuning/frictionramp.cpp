@@ -56,7 +56,7 @@ Task<void> FrictionRamp::run(AutotuneRun &run, MotorFound &found)
         run.note(say("there is no room for a duty that grows slowly"));
         co_return {};
     }
-    const double beat = inSeconds(run.device().family().capabilities.commandPeriod);
+    const double beat = inSeconds(run.device().family().trials->glideBeat);
     const RampedMotor motor{found.pushes.tau, found.pushes.delay, beat, found.restNoise.value_or(0.0), found.supply};
     std::array<std::optional<RampWay>, 2> ways;
     for (const bool forward : {true, false}) {

@@ -53,7 +53,7 @@ LoopBounds boundsOf(const ProposalBasis &basis)
     return bounds;
 }
 
-/// Of the step, that an aim allows itself; a position that takes more of it answers the set-points of a profile one by one.
+/// Of the step, that an aim allows itself; a position that takes more of it answers the set-points of a hand one by one.
 double overshootOf(Mode loop, const ProposalWish &wish)
 {
     const bool more = wish.isProven && loop != Mode::Position && wish.aim != Aim::Calm;

@@ -16,7 +16,7 @@ struct SearchTask {
     double overshoot = 0.0;    ///< of the step, that costs nothing
     bool isHeldToRule = false; ///< P is at most what the rule was asked for
     double setPoints
-        = 0.0; ///< s between set-points of a profile, which a position loop must not answer one by one; 0: none
+        = 0.0; ///< s between set-points of a hand, which a position loop must not answer one by one; 0: none
     ContinuousGains least; ///< that the device can have, of each gain that is not 0
     LoopShape shape;
     double quickest = 0.0; ///< s, 1/omega of a position loop that is not to be outrun; 0: none

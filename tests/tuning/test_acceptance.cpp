@@ -16,6 +16,7 @@
 namespace mb::tuning {
 namespace {
 
+using namespace std::chrono_literals;
 using test::ExperimentBench;
 using test::planOf;
 using test::print;
@@ -91,15 +92,16 @@ TEST(Acceptance, A04_TheVelocityLoopOfADmc60cHardlyOvershootsAndSettlesInTime)
     EXPECT_LE(std::abs(*measured.sse), 0.002);
 }
 
-/// A position loop that was tuned makes a move of a profile that lasts so long.
+/// A position loop that was tuned makes moves of a profile, each at another phase of the clock, and so came to rest at worst.
 struct Moved {
     TuneReport report;
     Rest rest;
     double omega = 0.0;
 };
 
-void moveTuned(ExperimentBench &bench, double counts, Moved &moved, double seconds = 1.5)
+void moveTuned(ExperimentBench &bench, double counts, Moved &moved, int phases = 1)
 {
+    constexpr double seconds = 1.5;
     TunePlan plan = planOf(Mode::Position);
     plan.slot = 1;
     const auto report = tune(bench, plan);
@@ -112,19 +114,25 @@ void moveTuned(ExperimentBench &bench, double counts, Moved &moved, double secon
     move.from = report->proof.back().signal("position")->trace.y.back();
     move.to = *move.from + counts;
     move.seconds = seconds;
-    const auto trial = bench.run(move);
-    ASSERT_TRUE(trial) << trial.error().text();
-    ASSERT_EQ(trial->reason, "done") << trial->detail;
-    moved = {*report, restOf(*trial, seconds), 1.0 / report->design->response};
+    moved = {*report, {}, 1.0 / report->design->response};
+    for (int phase = 0; phase < phases; ++phase) {
+        const auto trial = bench.run(move);
+        ASSERT_TRUE(trial) << trial.error().text();
+        ASSERT_EQ(trial->reason, "done") << phase << ": " << trial->detail;
+        const Rest rest = restOf(*trial, seconds);
+        moved.rest = {std::max(moved.rest.residual, rest.residual), std::max(moved.rest.beyond, rest.beyond),
+            std::max(moved.rest.late, rest.late)};
+        const Duration since = bench.bench.clock.now().time_since_epoch() % 20ms;
+        bench.bench.clock.advance(10s - since + (phase + 1) * 20ms / phases); // a warm one rests farther away
+    }
 }
 
 TEST(Acceptance, A05_ProfiledMovesOfATunedPositionLoopComeToRestAtTheirTarget)
 {
-    // a set-point of a quicker move of unit 5 is 500 counts from the last, and answered by half the duty and more both ways
-    for (const auto &[number, seconds] : {std::pair(5, 2.0), std::pair(7, 1.5)}) {
+    for (const int number : {5, 7}) {
         ExperimentBench bench("sim:can", "dmc60c", number);
         Moved moved;
-        moveTuned(bench, 40'000.0, moved, seconds);
+        moveTuned(bench, 40'000.0, moved, 30);
         const auto &[report, rest, omega] = moved;
         std::printf(
             "A5 dmc60c %d: beyond %.0f counts of 40000 (%.2f %%), residual %.0f counts, settled %.1f/omega after "

@@ -111,6 +111,7 @@ constexpr TrialTraits trials{
     .bench = {.travel = 20e6, .speed = 1.5e6, .current = 150.0, .duty = 1.0},
     .rate = 200.0,
     .currentRate = 1000.0,
+    .glideBeat = glideBeat,
     .hottest = 85.0,
     .lowestBus = 6.0,
     .highestBus = 28.0,

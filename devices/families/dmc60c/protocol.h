@@ -100,6 +100,8 @@ constexpr int velocityPerSecond = 10;    ///< the wire counts per 100 ms
 constexpr auto loopPeriod = std::chrono::microseconds(500);
 constexpr auto heartbeat = std::chrono::milliseconds(104);
 constexpr auto controlPeriod = std::chrono::milliseconds(20);
+/// A quick loop answers each set-point by itself when they come every 20 ms. 3 % of the bus, while such a profile lasts.
+constexpr auto glideBeat = std::chrono::milliseconds(5);
 /// Between two frames as this program sends them, so that no heartbeat is missed while the bus delays one a little.
 constexpr auto controlLimit = heartbeat - std::chrono::milliseconds(4);
 constexpr auto faultHold = std::chrono::seconds(3);

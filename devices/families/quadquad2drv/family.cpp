@@ -78,6 +78,7 @@ constexpr TrialTraits trials{
     .limits = deviceLimits,
     .bench = {.travel = 1e6, .speed = 1e5, .current = 10.0, .duty = 1.0},
     .rate = 100.0,
+    .glideBeat = capabilities.commandPeriod,
 };
 
 } // namespace

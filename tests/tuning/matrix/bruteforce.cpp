@@ -139,8 +139,8 @@ double commandPeriodOf(const Cell &cell)
     return std::chrono::duration<double>(familyOf(cell).capabilities.commandPeriod).count();
 }
 
-/// A position loop that is as quick as the set-points of a profile come answers each of them by itself: the guard of oscillation ends
-/// such a move (A05), and the proposals are held to the same bound.
+/// A position loop that is as quick as the set-points of a hand come answers each of them by itself, and the proposals are held to the
+/// same bound.
 bool answersSetPoints(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains)
 {
     const double omega = std::sqrt(truth.gain * gains.p / truth.tau);
