@@ -90,14 +90,17 @@ void Conditions::post(const QString &key, BannerKind kind, const QString &cause,
 
 void Conditions::followLink(const LinkView &link)
 {
-    const QString key = QStringLiteral("link ") + QString::fromStdString(link.address)
-        + QStringLiteral("\n%1").arg(static_cast<int>(link.diagnosis.ailment));
+    const QString thing = QStringLiteral("link ") + QString::fromStdString(link.address);
+    const QString ailment = QStringLiteral("\n%1").arg(static_cast<int>(link.diagnosis.ailment));
     const QString name = QString::fromStdString(link.name);
-    if (link.state == LinkState::Lost)
-        post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
-    else if (!link.diagnosis.isHealthy())
-        post(key, BannerKind::Caution, name + QStringLiteral(": ") + messageText(link.diagnosis.cause),
+    if (link.state == LinkState::Lost) {
+        m_standing.insert(thing); // nor is it well
+        post(QStringLiteral("lost ") + thing + ailment, BannerKind::Danger, tr("%1 is lost").arg(name),
+            messageText(link.reason));
+    } else if (!link.diagnosis.isHealthy()) {
+        post(thing + ailment, BannerKind::Caution, name + QStringLiteral(": ") + messageText(link.diagnosis.cause),
             messageText(link.diagnosis.remedy));
+    }
 }
 
 void Conditions::followDevice(const DeviceView &device)

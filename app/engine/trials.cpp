@@ -3,7 +3,8 @@
 
 #include "experiment/verdict.h"
 #include "model/family.h"
-#include "settings/snapshots.h"
+#include "settings/settingslog.h"
+#include "settings/writing.h"
 #include "tuning/autotune.h"
 
 #include <algorithm>
@@ -23,15 +24,15 @@ template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interru
 }
 
 /// With a snapshot before it, and what it has replaced in the history.
-Task<tuning::TuneReport> tuneKept(
-    Device &device, tuning::TunePlan plan, settings::SettingsLog *log, Task<tuning::TuneReport> story)
+Task<tuning::TuneReport> tuneKept(Device &device, SetPointStream &stream, tuning::TunePlan plan,
+    tuning::ExperimentSurroundings around, const ParameterJobs &parameters)
 {
-    if (log && tuning::writesGains(device, plan)) {
-        NoProgress unseen;
-        auto taking = settings::takeSnapshot(device, settings::Occasion::Tuning, {}, *log, unseen);
-        (void)co_await std::move(taking).attempt();
-    }
+    NoProgress unseen;
+    if (tuning::writesGains(device, plan))
+        around.before = [&] { return parameters.keepBefore(device, settings::Occasion::Tuning, unseen); };
+    auto story = tuning::autotune(device, stream, std::move(plan), std::move(around));
     tuning::TuneReport report = co_await std::move(story);
+    auto *const log = parameters.log();
     if (log && (report.result == tuning::TuneResult::Kept || !report.notPutBack.empty()))
         (void)co_await settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log).attempt();
     co_return report;
@@ -152,10 +153,10 @@ void Trials::carryOut(const orders::RunTuning &order, const std::function<void(R
     using tuning::TuneResult;
     Story<tuning::TuneReport> story;
     story.title = say("Autotune");
-    story.run = [this, plan = order.plan](
-                    Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
-        return tuneKept(device, plan, m_parameters.log(), tuning::autotune(device, stream, plan, std::move(around)));
-    };
+    story.run
+        = [this, plan = order.plan](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+              return tuneKept(device, stream, plan, std::move(around), m_parameters);
+          };
     story.notableOf = [](const tuning::TuneReport &report) {
         const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
         return Verdict{good ? Severity::Good : Severity::Danger,

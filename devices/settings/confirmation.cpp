@@ -3,28 +3,12 @@
 
 #include "model/family.h"
 #include "model/unit.h"
-#include "model/writeorder.h"
 #include "settings/writing.h"
 
 #include <algorithm>
 
 namespace mb::settings {
 namespace {
-
-/// How others reach it on its bus: number, mask, bit rate. A unit takes these when it starts, and nothing else but limits.
-bool isAddress(const Parameter &parameter)
-{
-    return parameter.afterRestart && !isLimit(parameter);
-}
-
-bool needsSomebody(const Family &family, const ValueChange &value)
-{
-    const auto index = findParameter(family.parameters, value.key);
-    if (!index || !value.before || *value.before == value.after || value.proof == Proof::Refused)
-        return false;
-    const Parameter &parameter = family.parameters[index->value];
-    return isAddress(parameter) || widensLimit(parameter, {*index, value.before, value.after});
-}
 
 bool isSeenStill(const Device &device)
 {
@@ -82,22 +66,16 @@ std::vector<ValueChange> openOf(const Family &family, const SettingsChange &chan
 
 } // namespace
 
-std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values)
-{
-    std::vector<ValueChange> wanted;
-    std::copy_if(values.begin(), values.end(), std::back_inserter(wanted),
-        [&family](const ValueChange &value) { return needsSomebody(family, value); });
-    return wanted;
-}
-
 bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes)
 {
-    return std::ranges::any_of(changes, [&device](const ParameterChange &change) {
+    std::vector<ValueChange> values;
+    for (const ParameterChange &change : changes) {
         const ParameterStore::Entry &entry = device.parameters().entry(change.index);
         const auto before = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
-        return needsSomebody(device.family(),
+        values.push_back(
             {std::string(device.parameters().parameter(change.index).key), before, change.raw, Proof::Open});
-    });
+    }
+    return !toConfirm(device.family(), values).empty();
 }
 
 std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/parametertransfer.h"
+#include "settings/history.h"
 #include "settings/settingslog.h"
 
 #include <cstdint>
@@ -12,10 +13,7 @@ namespace mb::settings {
 /// After this a value that nobody has kept goes back.
 inline constexpr Duration confirmTime = std::chrono::seconds(30);
 
-/// Those of the values that can cut a unit off (its number on the bus, its bit rate) or make a motor livelier than before (a
-/// limit that became wider, or was switched off), were not refused, and were known before: what became safer stays.
-[[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
-/// The same of values that are about to be written, by what is known of the device.
+/// Whether toConfirm() has any of these, which are about to be written, by what is known of the device.
 [[nodiscard]] bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes);
 
 /// The changes of a unit whose values nobody has kept or reverted, oldest first, with what of them is still in force as far as

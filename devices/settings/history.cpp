@@ -2,15 +2,32 @@
 #include "settings/history.h"
 
 #include "model/family.h"
+#include "model/writeorder.h"
 #include "wire/fixedpoint.h"
 #include "wire/number.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mb::settings {
 namespace {
 
 using Stack = std::vector<const SettingsChange *>;
+
+/// How others reach it on its bus: number, mask, bit rate. A unit takes these when it starts, and nothing else but limits.
+bool isAddress(const Parameter &parameter)
+{
+    return parameter.afterRestart && !isLimit(parameter);
+}
+
+bool needsSomebody(const Family &family, const ValueChange &value)
+{
+    const auto index = findParameter(family.parameters, value.key);
+    if (!index || !value.before || *value.before == value.after || value.proof == Proof::Refused)
+        return false;
+    const Parameter &parameter = family.parameters[index->value];
+    return isAddress(parameter) || widensLimit(parameter, {*index, value.before, value.after});
+}
 
 /// Moves the change that `by` is about, if it is where an undo or redo finds it.
 void pass(Stack &from, Stack &to, const SettingsChange &by)
@@ -95,6 +112,14 @@ HistoryView viewOf(const Family &family, std::span<const SettingsChange> changes
     view.undo = topOf(undo);
     view.redo = topOf(redo);
     return view;
+}
+
+std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values)
+{
+    std::vector<ValueChange> wanted;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(wanted),
+        [&family](const ValueChange &value) { return needsSomebody(family, value); });
+    return wanted;
 }
 
 Message textOf(const Family &family, const SettingsChange &change)

@@ -30,6 +30,10 @@ struct HistoryView {
 /// Those values of a change that were or may have been written, whose value before is known, and that undoing would change.
 [[nodiscard]] std::vector<ValueChange> undoable(const Family &family, const SettingsChange &change);
 
+/// Those of the values that can cut a unit off (its number on the bus, its bit rate) or make a motor livelier than before (a
+/// limit that became wider, or was switched off), were not refused, and were known before: what became safer stays.
+[[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
+
 /// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people; empty where the unit took nothing of it.
 [[nodiscard]] Message textOf(const Family &family, const SettingsChange &change);
 

@@ -95,11 +95,12 @@ void notKept(Progress &progress, const Error &error)
 }
 
 /// The change is on the disk; nothing where nothing is kept, or the disk failed, which is told. NotKept of what asks to be kept.
-Task<std::optional<std::int64_t>> beginKept(SettingsLog *log, SettingsChange change, Progress &progress)
+Task<std::optional<std::int64_t>> beginKept(
+    const Family &family, SettingsLog *log, SettingsChange change, Progress &progress)
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
-    const bool asks = asksToBeKept(change.purpose);
+    const bool asks = asksToBeKept(change.purpose) && !toConfirm(family, change.values).empty();
     const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
@@ -168,7 +169,7 @@ Task<std::vector<TransferOutcome>> writeKept(
     if (log && !changes.empty()) {
         change.values = co_await valuesBefore(device, changes);
     }
-    const std::optional<std::int64_t> number = co_await beginKept(log, change, progress);
+    const std::optional<std::int64_t> number = co_await beginKept(device.family(), log, change, progress);
     std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);
     co_await completeKept(log, number, judged(device, change.values, outcomes), progress);
     co_return outcomes;
@@ -218,7 +219,7 @@ Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress 
     for (const ParameterChange &lost : lostSettings(device.family(), device.knowledge().profile()))
         change.values.push_back(
             {std::string(device.parameters().parameter(lost.index).key), std::nullopt, lost.raw, Proof::Open});
-    const std::optional<std::int64_t> number = co_await beginKept(log, change, progress);
+    const std::optional<std::int64_t> number = co_await beginKept(device.family(), log, change, progress);
     const int written = co_await rewriteSettings(device, progress);
     for (ValueChange &value : change.values)
         value.proof = Proof::Blind;
@@ -231,7 +232,7 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     SettingsChange change = changeOf(device, {origin});
     const std::string unit = change.unit;
     change.values.push_back({std::string(numberKey), device.identity().address, number, Proof::Open});
-    const std::optional<std::int64_t> kept = co_await beginKept(log, change, progress);
+    const std::optional<std::int64_t> kept = co_await beginKept(device.family(), log, change, progress);
     const Result<void> renumbered = co_await device.renumber(number).attempt();
     if (renumbered)
         change.values.front().proof = device.identity().address == number ? Proof::Equal : Proof::Blind;

@@ -264,6 +264,27 @@ TEST_F(SettingsCore, WhatNothingWouldTakeBackIsNotWrittenWhereItsRecordCannotBeK
     EXPECT_EQ(changes().size(), 1U);
 }
 
+TEST_F(SettingsCore, AnUndoThatNobodyHasToKeepIsWrittenAlsoWhereItsRecordCannotBeKept)
+{
+    clock.advance(3s);
+    for (const std::string_view key : {"current_limit.peak", "slot0.p"}) {
+        const std::int64_t old = known(key).value_or(0);
+        ASSERT_TRUE(write({change(key, old * 2)}));
+        clock.advance(1s);
+        for (const UnconfirmedView &waiting : core.snapshot().unconfirmed) {
+            core.send(orders::KeepChange{id(), waiting.change}, heard());
+            ASSERT_TRUE(ends());
+        }
+        ASSERT_TRUE(database->run(
+            "CREATE TRIGGER full BEFORE INSERT ON change BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
+        core.send(orders::UndoWrite{id(), false}, heard());
+        const auto undone = ends();
+        EXPECT_TRUE(undone) << undone.error().text();
+        EXPECT_EQ(known(key), old);
+        ASSERT_TRUE(database->run("DROP TRIGGER full"));
+    }
+}
+
 TEST_F(SettingsCore, ASecondWriteDoesNotWalkAroundTheQuestion)
 {
     clock.advance(3s);

@@ -420,6 +420,25 @@ TEST_F(TrialCore, WhatADoneTrialLeavesInForceIsInTheHistoryAndWhatItPutsBackIsNo
     core.setSettingsLog(nullptr);
 }
 
+TEST_F(TrialCore, ATuningThatNoNotebookCouldPutBackIsRefusedBeforeTheMotorTurns)
+{
+    test::needCoreApplication();
+    const QTemporaryDir folder;
+    const auto database = Database::open(folder.path().toStdString() + "/motorbench.db");
+    ASSERT_TRUE(database);
+    SettingsBook book(**database, clock, "anna");
+    core.setSettingsLog(&book);
+    ASSERT_TRUE((*database)->run(
+        "CREATE TRIGGER full BEFORE INSERT ON snapshot BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
+    test::Heard<tuning::TuneReport> tuned;
+    core.send(orders::RunTuning{id(), {}}, tuned.finished());
+    ASSERT_TRUE(clock.runUntil([&] { return tuned.has_value() || isOutputOn(); }, 60s));
+    EXPECT_FALSE(isOutputOn());
+    ASSERT_TRUE(tuned && !*tuned);
+    EXPECT_EQ(tuned->error().fault, Fault::NotKept) << tuned->error().text();
+    core.setSettingsLog(nullptr);
+}
+
 TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
 {
     journal.debtor = unitKeyOf(*device());

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void aNoticeEndsWithWhatItIsOf();
     void whatWasDismissedHidesNoOtherCause();
     void whatWasDismissedIsSilentUntilItsLinkIsWell();
+    void aLinkThatIsLostOnceMoreIsSaidOnceMore();
     void aSecondEnterIsNotForWhatTheButtonHasBecome();
     void gainsThatAreOwedMayBeKeptAsTheyAre();
     void gainsThatAreOwedToAPlaceAreSaidToBeSo();
@@ -218,6 +219,29 @@ void ConditionsTest::whatWasDismissedIsSilentUntilItsLinkIsWell()
     QCOMPARE(standing(Ailment::None), 0);
     notices.workbench.device(0).liveness.foreignMaster = true; // of a new motion
     QCOMPARE(standing(Ailment::None), 1);
+}
+
+void ConditionsTest::aLinkThatIsLostOnceMoreIsSaidOnceMore()
+{
+    Notices notices;
+    const auto standing = [&notices](LinkState state, Ailment ailment) {
+        LinkView link;
+        link.address = link.name = "can0";
+        link.state = state;
+        link.diagnosis = {ailment, say("%1 is not well", "can0"), {}, {}};
+        notices.workbench.shot.links = {link};
+        notices.follow();
+        return notices.stack.count();
+    };
+    QCOMPARE(standing(LinkState::Open, Ailment::Losing), 1);
+    Q_EMIT notices.standing().dismissed();
+    for (int loss = 0; loss < 2; ++loss) {
+        QCOMPARE(standing(LinkState::Lost, Ailment::Down), 1);
+        QCOMPARE(notices.standing().cause(), QStringLiteral("can0 is lost"));
+        Q_EMIT notices.standing().dismissed();
+        QCOMPARE(standing(LinkState::Lost, Ailment::Down), 0);
+        QCOMPARE(standing(LinkState::Open, Ailment::Losing), 0);
+    }
 }
 
 void ConditionsTest::aSecondEnterIsNotForWhatTheButtonHasBecome()
