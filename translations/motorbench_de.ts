@@ -427,10 +427,6 @@
         <translation>Andere Datei wählen.</translation>
     </message>
     <message>
-        <source>%1 is for %2, %3 is a %4.</source>
-        <translation>%1 ist für %2, %3 ist ein %4.</translation>
-    </message>
-    <message>
         <source>Choose a file of this family. Nothing was changed.</source>
         <translation>Datei dieser Familie wählen. Nichts wurde geändert.</translation>
     </message>
@@ -449,6 +445,10 @@
     <message>
         <source>%1 is for %2, which is not in this program.</source>
         <translation>%1 ist für %2, das dieses Programm nicht kennt.</translation>
+    </message>
+    <message>
+        <source>%1 is for %2, %3 is of the family %4.</source>
+        <translation>%1 ist für %2, %3 ist von der Familie %4.</translation>
     </message>
 </context>
 <context>
@@ -3485,10 +3485,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Rampe des Ausgangs, Tastgrad pro Sekunde</translation>
     </message>
     <message>
-        <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Größte Änderung des Ausgangs in Tastgrad pro Sekunde, vom Gerät eingehalten. 0 ist sofort; 2 braucht 0,5 s von 0 auf 100 %.</translation>
-    </message>
-    <message>
         <source>duty/s, 0 = none</source>
         <translation>/s, 0 = keine</translation>
     </message>
@@ -3557,10 +3553,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Der Motor läuft über die Grenze rückwärts hinaus. Eine Änderung sichert.</translation>
     </message>
     <message>
-        <source>%1 is no ramp. Enter 0 for none, or a positive number of duty per second.</source>
-        <translation>%1 ist keine Rampe. 0 für keine oder einen positiven Tastgrad pro Sekunde eingeben.</translation>
-    </message>
-    <message>
         <source>Nothing</source>
         <translation>Nichts</translation>
     </message>
@@ -3579,6 +3571,18 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>limits overridden</source>
         <translation>Grenzen übergangen</translation>
+    </message>
+    <message>
+        <source>Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %.</source>
+        <translation>Größte Änderung des Ausgangs in Tastgrad pro Sekunde: 2 braucht 0,5 s von 0 auf 100 %.</translation>
+    </message>
+    <message>
+        <source>duty/s, 0 = %1</source>
+        <translation>/s, 0 = %1</translation>
+    </message>
+    <message>
+        <source>%1 is no ramp. Enter 0 or a positive number of duty per second.</source>
+        <translation>%1 ist keine Rampe. 0 oder einen positiven Tastgrad pro Sekunde eingeben.</translation>
     </message>
 </context>
 <context>
@@ -7331,10 +7335,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Lesen</translation>
     </message>
     <message>
-        <source>%1, values of a %2 from a file</source>
-        <translation>%1, Werte eines %2 aus einer Datei</translation>
-    </message>
-    <message>
         <source>Reading %1 of %2</source>
         <translation>Lese %1 von %2</translation>
     </message>
@@ -7365,6 +7365,10 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>all %1 read in %2</source>
         <translation>alle %1 in %2 gelesen</translation>
+    </message>
+    <message>
+        <source>%1, values for %2 from a file</source>
+        <translation>%1, Werte für %2 aus einer Datei</translation>
     </message>
 </context>
 <context>
@@ -16493,10 +16497,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Motor bewegte sich bei bis zu %1 % Tastgrad nicht (%2 counts): blockiert, oder der Encoder ist tot</translation>
     </message>
     <message>
-        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>der Motor bewegte sich nicht, als er 20 counts aufwärts geschickt wurde (%1 counts): blockiert, oder der Encoder ist tot</translation>
-    </message>
-    <message>
         <source>the motor did not turn at two of the powers</source>
         <translation>der Motor drehte sich bei zwei der Leistungen nicht</translation>
     </message>
@@ -18757,10 +18757,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>1 Einstellung geht mit seiner Stromversorgung verloren</translation>
     </message>
     <message>
-        <source>a %1 keeps no setting without power</source>
-        <translation>%1 behält ohne Strom keine Einstellung</translation>
-    </message>
-    <message>
         <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
         <translation>ein Gerät, dessen %1 verkleinert wurde, muss einmal stromlos gewesen sein, bevor sein Motor angesteuert werden darf</translation>
     </message>
@@ -18941,10 +18937,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>höchstens %1 counts/s mit diesem P</translation>
     </message>
     <message>
-        <source>cut its power, or look at it and say that it stands</source>
-        <translation>Strom abschalten, oder nachsehen und bestätigen, dass er steht</translation>
-    </message>
-    <message>
         <source>its adapter has another name now; what was found under this one is not in the list any more</source>
         <translation>sein Adapter hat jetzt einen anderen Namen; was unter diesem gefunden wurde, steht nicht mehr in der Liste</translation>
     </message>
@@ -18999,6 +18991,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the rest of its disk is left to others</source>
         <translation>der Rest der Festplatte bleibt anderen überlassen</translation>
+    </message>
+    <message>
+        <source>%1 keeps no setting without power</source>
+        <translation>%1 behält ohne Strom keine Einstellung</translation>
+    </message>
+    <message>
+        <source>cut its power and try again after 10 minutes, or look at it and say in the window that it stands</source>
+        <translation>Strom abschalten und nach 10 Minuten erneut versuchen, oder nachsehen und im Fenster bestätigen, dass er steht</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
+        <translation>der Motor bewegte sich nicht, als er %1 counts aufwärts geschickt wurde (%2 counts): blockiert, oder der Encoder ist tot</translation>
     </message>
 </context>
 </TS>

@@ -427,10 +427,6 @@
         <translation>Elija otro archivo.</translation>
     </message>
     <message>
-        <source>%1 is for %2, %3 is a %4.</source>
-        <translation>%1 es para %2, %3 es un %4.</translation>
-    </message>
-    <message>
         <source>Choose a file of this family. Nothing was changed.</source>
         <translation>Elija un archivo de esta familia. No se cambió nada.</translation>
     </message>
@@ -449,6 +445,10 @@
     <message>
         <source>%1 is for %2, which is not in this program.</source>
         <translation>%1 es para %2, que este programa no conoce.</translation>
+    </message>
+    <message>
+        <source>%1 is for %2, %3 is of the family %4.</source>
+        <translation>%1 es para %2, %3 es de la familia %4.</translation>
     </message>
 </context>
 <context>
@@ -3545,20 +3545,12 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Rampa de la salida, ciclo de trabajo por segundo</translation>
     </message>
     <message>
-        <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Variación máxima de la salida en ciclo de trabajo por segundo, respetada por el controlador. 0 es inmediata; 2 tarda 0,5 s de 0 a 100 %.</translation>
-    </message>
-    <message>
         <source>duty/s, 0 = none</source>
         <translation>duty/s, 0 = ninguna</translation>
     </message>
     <message>
         <source>Ramp</source>
         <translation>Rampa</translation>
-    </message>
-    <message>
-        <source>%1 is no ramp. Enter 0 for none, or a positive number of duty per second.</source>
-        <translation>%1 no es una rampa. Introduzca 0 para ninguna o un número positivo de ciclo por segundo.</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -3579,6 +3571,18 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>limits overridden</source>
         <translation>límites anulados</translation>
+    </message>
+    <message>
+        <source>Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %.</source>
+        <translation>Variación máxima de la salida en ciclo de trabajo por segundo: 2 tarda 0,5 s de 0 a 100 %.</translation>
+    </message>
+    <message>
+        <source>duty/s, 0 = %1</source>
+        <translation>duty/s, 0 = %1</translation>
+    </message>
+    <message>
+        <source>%1 is no ramp. Enter 0 or a positive number of duty per second.</source>
+        <translation>%1 no es una rampa. Introduzca 0 o un número positivo de ciclo por segundo.</translation>
     </message>
 </context>
 <context>
@@ -7331,10 +7335,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Lectura</translation>
     </message>
     <message>
-        <source>%1, values of a %2 from a file</source>
-        <translation>%1, valores de un %2 de un archivo</translation>
-    </message>
-    <message>
         <source>Reading %1 of %2</source>
         <translation>Leyendo %1 de %2</translation>
     </message>
@@ -7365,6 +7365,10 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>leídos los %1 en %2</translation>
+    </message>
+    <message>
+        <source>%1, values for %2 from a file</source>
+        <translation>%1, valores para %2 de un archivo</translation>
     </message>
 </context>
 <context>
@@ -16749,10 +16753,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>el motor no se movió con ciclo de hasta %1 % (%2 cuentas): bloqueado o el encoder no funciona</translation>
     </message>
     <message>
-        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>el motor no se movió al enviarlo 20 cuentas hacia arriba (%1 cuentas): bloqueado o el encoder no funciona</translation>
-    </message>
-    <message>
         <source>the motor did not turn at two of the powers</source>
         <translation>el motor no giró con dos de las potencias</translation>
     </message>
@@ -18757,10 +18757,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>1 ajuste se pierde al quitarle la alimentación</translation>
     </message>
     <message>
-        <source>a %1 keeps no setting without power</source>
-        <translation>%1 no conserva ningún ajuste sin alimentación</translation>
-    </message>
-    <message>
         <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
         <translation>una unidad cuyo %1 se redujo debe perder una vez la alimentación antes de que se pueda accionar su motor</translation>
     </message>
@@ -18941,10 +18937,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>como máximo %1 counts/s con su P</translation>
     </message>
     <message>
-        <source>cut its power, or look at it and say that it stands</source>
-        <translation>corte su alimentación, o mírelo y confirme que está parado</translation>
-    </message>
-    <message>
         <source>its adapter has another name now; what was found under this one is not in the list any more</source>
         <translation>su adaptador tiene ahora otro nombre; lo encontrado con este ya no está en la lista</translation>
     </message>
@@ -18999,6 +18991,18 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the rest of its disk is left to others</source>
         <translation>el resto de su disco queda para los demás</translation>
+    </message>
+    <message>
+        <source>%1 keeps no setting without power</source>
+        <translation>%1 no conserva ningún ajuste sin alimentación</translation>
+    </message>
+    <message>
+        <source>cut its power and try again after 10 minutes, or look at it and say in the window that it stands</source>
+        <translation>corte su alimentación y vuelva a intentarlo después de 10 minutos, o mírelo y confirme en la ventana que está parado</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
+        <translation>el motor no se movió al enviarlo %1 cuentas hacia arriba (%2 cuentas): bloqueado o el encoder no funciona</translation>
     </message>
 </context>
 </TS>

@@ -427,10 +427,6 @@
         <translation>Choisissez un autre fichier.</translation>
     </message>
     <message>
-        <source>%1 is for %2, %3 is a %4.</source>
-        <translation>%1 est destiné à %2, %3 est un %4.</translation>
-    </message>
-    <message>
         <source>Choose a file of this family. Nothing was changed.</source>
         <translation>Choisissez un fichier de cette famille. Rien n’a été modifié.</translation>
     </message>
@@ -449,6 +445,10 @@
     <message>
         <source>%1 is for %2, which is not in this program.</source>
         <translation>%1 est destiné à %2, que ce programme ne connaît pas.</translation>
+    </message>
+    <message>
+        <source>%1 is for %2, %3 is of the family %4.</source>
+        <translation>%1 est destiné à %2, %3 est de la famille %4.</translation>
     </message>
 </context>
 <context>
@@ -3545,20 +3545,12 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Rampe de la sortie, rapport cyclique par seconde</translation>
     </message>
     <message>
-        <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>Variation maximale de la sortie en rapport cyclique par seconde, respectée par le variateur. 0&#xa0;: immédiat&#x202f;; 2&#xa0;: 0,5 s de 0 à 100 %.</translation>
-    </message>
-    <message>
         <source>duty/s, 0 = none</source>
         <translation>/s, 0 = aucune</translation>
     </message>
     <message>
         <source>Ramp</source>
         <translation>Rampe</translation>
-    </message>
-    <message>
-        <source>%1 is no ramp. Enter 0 for none, or a positive number of duty per second.</source>
-        <translation>%1 n’est pas une rampe. Saisissez 0 pour aucune, ou un rapport cyclique par seconde positif.</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -3579,6 +3571,18 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>limits overridden</source>
         <translation>limites ignorées</translation>
+    </message>
+    <message>
+        <source>Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %.</source>
+        <translation>Variation maximale de la sortie en rapport cyclique par seconde : 2 met 0,5 s de 0 à 100 %.</translation>
+    </message>
+    <message>
+        <source>duty/s, 0 = %1</source>
+        <translation>/s, 0 = %1</translation>
+    </message>
+    <message>
+        <source>%1 is no ramp. Enter 0 or a positive number of duty per second.</source>
+        <translation>%1 n’est pas une rampe. Saisissez 0 ou un rapport cyclique par seconde positif.</translation>
     </message>
 </context>
 <context>
@@ -7331,10 +7335,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Lecture</translation>
     </message>
     <message>
-        <source>%1, values of a %2 from a file</source>
-        <translation>%1, valeurs d’un %2 lues dans un fichier</translation>
-    </message>
-    <message>
         <source>Reading %1 of %2</source>
         <translation>Lecture de %1 sur %2</translation>
     </message>
@@ -7365,6 +7365,10 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>all %1 read in %2</source>
         <translation>les %1 lus en %2</translation>
+    </message>
+    <message>
+        <source>%1, values for %2 from a file</source>
+        <translation>%1, valeurs pour %2 lues dans un fichier</translation>
     </message>
 </context>
 <context>
@@ -16749,10 +16753,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>le moteur n’a pas bougé jusqu’à %1 % de rapport cyclique (%2 counts)&#xa0;: bloqué, ou le codeur est mort</translation>
     </message>
     <message>
-        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas bougé quand on l’a envoyé 20 counts plus haut (%1 counts)&#xa0;: bloqué, ou le codeur est mort</translation>
-    </message>
-    <message>
         <source>the motor did not turn at two of the powers</source>
         <translation>le moteur n’a pas tourné à deux des puissances</translation>
     </message>
@@ -18757,10 +18757,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>1 réglage est perdu à la mise hors tension</translation>
     </message>
     <message>
-        <source>a %1 keeps no setting without power</source>
-        <translation>%1 ne garde aucun réglage hors tension</translation>
-    </message>
-    <message>
         <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
         <translation>une unité dont %1 a été diminué doit être mise une fois hors tension avant que son moteur puisse être piloté</translation>
     </message>
@@ -18941,10 +18937,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>au plus %1 counts/s avec son P</translation>
     </message>
     <message>
-        <source>cut its power, or look at it and say that it stands</source>
-        <translation>couper l’alimentation, ou vérifier et confirmer qu’il est à l’arrêt</translation>
-    </message>
-    <message>
         <source>its adapter has another name now; what was found under this one is not in the list any more</source>
         <translation>son adaptateur porte maintenant un autre nom ; ce qui a été trouvé sous celui-ci n&apos;est plus dans la liste</translation>
     </message>
@@ -18999,6 +18991,18 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the rest of its disk is left to others</source>
         <translation>le reste de son disque est laissé aux autres</translation>
+    </message>
+    <message>
+        <source>%1 keeps no setting without power</source>
+        <translation>%1 ne garde aucun réglage hors tension</translation>
+    </message>
+    <message>
+        <source>cut its power and try again after 10 minutes, or look at it and say in the window that it stands</source>
+        <translation>couper l’alimentation et réessayer après 10 minutes, ou vérifier et confirmer dans la fenêtre qu’il est à l’arrêt</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
+        <translation>le moteur n’a pas bougé quand on l’a envoyé %1 counts plus haut (%2 counts) : bloqué, ou le codeur est mort</translation>
     </message>
 </context>
 </TS>

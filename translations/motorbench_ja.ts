@@ -427,10 +427,6 @@
         <translation>別のファイルを選択してください。</translation>
     </message>
     <message>
-        <source>%1 is for %2, %3 is a %4.</source>
-        <translation>%1 は %2 用ですが、%3 は %4 です。</translation>
-    </message>
-    <message>
         <source>Choose a file of this family. Nothing was changed.</source>
         <translation>このファミリのファイルを選択してください。何も変更していません。</translation>
     </message>
@@ -449,6 +445,10 @@
     <message>
         <source>%1 is for %2, which is not in this program.</source>
         <translation>%1 は %2 用ですが、そのファミリはこのプログラムにありません。</translation>
+    </message>
+    <message>
+        <source>%1 is for %2, %3 is of the family %4.</source>
+        <translation>%1 は %2 用ですが、%3 は %4 ファミリです。</translation>
     </message>
 </context>
 <context>
@@ -3543,20 +3543,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>出力ランプ、1 秒あたりのデューティ</translation>
     </message>
     <message>
-        <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>1 秒あたりのデューティで表した出力の最大変化率で、ドライブが制限します。0 は即時、2 は 0 から 100 % まで 0.5 s です。</translation>
-    </message>
-    <message>
         <source>duty/s, 0 = none</source>
         <translation>duty/s、0 = なし</translation>
     </message>
     <message>
         <source>Ramp</source>
         <translation>ランプ</translation>
-    </message>
-    <message>
-        <source>%1 is no ramp. Enter 0 for none, or a positive number of duty per second.</source>
-        <translation>%1 はランプの値ではありません。なしの場合は 0、または 1 秒あたりのデューティを正の数で入力してください。</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -3577,6 +3569,18 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>limits overridden</source>
         <translation>リミット無効化</translation>
+    </message>
+    <message>
+        <source>Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %.</source>
+        <translation>1 秒あたりのデューティで表した出力の最大変化率。2 は 0 から 100 % まで 0.5 s です。</translation>
+    </message>
+    <message>
+        <source>duty/s, 0 = %1</source>
+        <translation>duty/s、0 = %1</translation>
+    </message>
+    <message>
+        <source>%1 is no ramp. Enter 0 or a positive number of duty per second.</source>
+        <translation>%1 はランプの値ではありません。0、または 1 秒あたりのデューティを正の数で入力してください。</translation>
     </message>
 </context>
 <context>
@@ -7321,10 +7325,6 @@ double click or End returns to the present · right click for more</source>
         <translation>読出し中</translation>
     </message>
     <message>
-        <source>%1, values of a %2 from a file</source>
-        <translation>%1、ファイルから読んだ %2 の値</translation>
-    </message>
-    <message>
         <source>Reading %1 of %2</source>
         <translation>読出し中 %1/%2</translation>
     </message>
@@ -7355,6 +7355,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>全 %1 個を %2 で読出し済み</translation>
+    </message>
+    <message>
+        <source>%1, values for %2 from a file</source>
+        <translation>%1、ファイルから読んだ %2 の値</translation>
     </message>
 </context>
 <context>
@@ -16732,10 +16736,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>デューティ %1 % までモーターが動きませんでした (%2 counts): ストール、またはエンコーダの故障です</translation>
     </message>
     <message>
-        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>正方向 20 counts の指令でモーターが動きませんでした (%1 counts): ストール、またはエンコーダの故障です</translation>
-    </message>
-    <message>
         <source>the motor did not turn at two of the powers</source>
         <translation>2 種類の出力でモーターが回転しませんでした</translation>
     </message>
@@ -18740,10 +18740,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>1 件の設定は電源が切れると失われます</translation>
     </message>
     <message>
-        <source>a %1 keeps no setting without power</source>
-        <translation>%1 は電源が切れると設定を保持しません</translation>
-    </message>
-    <message>
         <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
         <translation>%1 を小さくしたユニットは、モーターを駆動する前に電源を一度切る必要があります</translation>
     </message>
@@ -18924,10 +18920,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>この P では最大 %1 counts/s です</translation>
     </message>
     <message>
-        <source>cut its power, or look at it and say that it stands</source>
-        <translation>電源を切るか、停止を目視で確認してその旨を知らせてください</translation>
-    </message>
-    <message>
         <source>its adapter has another name now; what was found under this one is not in the list any more</source>
         <translation>このアダプターの名前が今は別の名前です。この名前で見つかったものは一覧にもうありません</translation>
     </message>
@@ -18982,6 +18974,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the rest of its disk is left to others</source>
         <translation>ディスクの残りはほかの用途に空けておきます</translation>
+    </message>
+    <message>
+        <source>%1 keeps no setting without power</source>
+        <translation>%1 は電源が切れると設定を保持しません</translation>
+    </message>
+    <message>
+        <source>cut its power and try again after 10 minutes, or look at it and say in the window that it stands</source>
+        <translation>電源を切って 10 分後にもう一度試すか、停止を目視で確認してウィンドウでその旨を知らせてください</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
+        <translation>正方向 %1 counts の指令でモーターが動きませんでした (%2 counts): ストール、またはエンコーダの故障です</translation>
     </message>
 </context>
 </TS>

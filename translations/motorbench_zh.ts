@@ -427,10 +427,6 @@
         <translation>请选择其他文件。</translation>
     </message>
     <message>
-        <source>%1 is for %2, %3 is a %4.</source>
-        <translation>%1 用于 %2，而 %3 是 %4。</translation>
-    </message>
-    <message>
         <source>Choose a file of this family. Nothing was changed.</source>
         <translation>请选择此系列的文件。未作任何更改。</translation>
     </message>
@@ -449,6 +445,10 @@
     <message>
         <source>%1 is for %2, which is not in this program.</source>
         <translation>%1 用于 %2，本程序不支持该系列。</translation>
+    </message>
+    <message>
+        <source>%1 is for %2, %3 is of the family %4.</source>
+        <translation>%1 用于 %2，而 %3 属于 %4 系列。</translation>
     </message>
 </context>
 <context>
@@ -3543,20 +3543,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>输出斜坡，每秒占空比</translation>
     </message>
     <message>
-        <source>Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %.</source>
-        <translation>输出每秒的最大占空比变化，由驱动器保证。0 为立即；2 表示从 0 到 100 % 需 0.5 s。</translation>
-    </message>
-    <message>
         <source>duty/s, 0 = none</source>
         <translation>duty/s，0 = 无</translation>
     </message>
     <message>
         <source>Ramp</source>
         <translation>斜坡</translation>
-    </message>
-    <message>
-        <source>%1 is no ramp. Enter 0 for none, or a positive number of duty per second.</source>
-        <translation>%1 不是斜坡值。请输入 0 表示无，或输入每秒占空比的正数。</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -3577,6 +3569,18 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>limits overridden</source>
         <translation>限位已覆盖</translation>
+    </message>
+    <message>
+        <source>Greatest change of the output in duty per second: 2 takes 0.5 s from 0 to 100 %.</source>
+        <translation>输出每秒的最大占空比变化：2 表示从 0 到 100 % 需 0.5 s。</translation>
+    </message>
+    <message>
+        <source>duty/s, 0 = %1</source>
+        <translation>duty/s，0 = %1</translation>
+    </message>
+    <message>
+        <source>%1 is no ramp. Enter 0 or a positive number of duty per second.</source>
+        <translation>%1 不是斜坡值。请输入 0，或输入每秒占空比的正数。</translation>
     </message>
 </context>
 <context>
@@ -7321,10 +7325,6 @@ double click or End returns to the present · right click for more</source>
         <translation>正在读取</translation>
     </message>
     <message>
-        <source>%1, values of a %2 from a file</source>
-        <translation>%1，来自文件的 %2 的值</translation>
-    </message>
-    <message>
         <source>Reading %1 of %2</source>
         <translation>正在读取 %1 / %2</translation>
     </message>
@@ -7355,6 +7355,10 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>all %1 read in %2</source>
         <translation>已读取全部 %1 项，用时 %2</translation>
+    </message>
+    <message>
+        <source>%1, values for %2 from a file</source>
+        <translation>%1，来自文件的 %2 的值</translation>
     </message>
 </context>
 <context>
@@ -16732,10 +16736,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>占空比高达 %1 % 时电机仍未运动（%2 个计数）：堵转，或编码器失效</translation>
     </message>
     <message>
-        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
-        <translation>命令电机向上移动 20 个计数时它未运动（%1 个计数）：堵转，或编码器失效</translation>
-    </message>
-    <message>
         <source>the motor did not turn at two of the powers</source>
         <translation>在其中两种功率下电机未转动</translation>
     </message>
@@ -18740,10 +18740,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>1 项设置断电后丢失</translation>
     </message>
     <message>
-        <source>a %1 keeps no setting without power</source>
-        <translation>%1 断电后不保留任何设置</translation>
-    </message>
-    <message>
         <source>a unit whose %1 was lowered must lose its power once before its motor may be driven</source>
         <translation>%1 被减小的设备必须先断电一次，才允许驱动其电机</translation>
     </message>
@@ -18924,10 +18920,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>用它的 P 最多 %1 counts/s</translation>
     </message>
     <message>
-        <source>cut its power, or look at it and say that it stands</source>
-        <translation>切断其电源，或查看后确认它已静止</translation>
-    </message>
-    <message>
         <source>its adapter has another name now; what was found under this one is not in the list any more</source>
         <translation>其适配器现在使用另一个名称；在此名称下找到的设备已不在列表中</translation>
     </message>
@@ -18982,6 +18974,18 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the rest of its disk is left to others</source>
         <translation>磁盘的剩余空间留给其他程序</translation>
+    </message>
+    <message>
+        <source>%1 keeps no setting without power</source>
+        <translation>%1 断电后不保留任何设置</translation>
+    </message>
+    <message>
+        <source>cut its power and try again after 10 minutes, or look at it and say in the window that it stands</source>
+        <translation>切断其电源，10 分钟后重试，或查看后在窗口中确认它已静止</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
+        <translation>命令电机向上移动 %1 个计数时它未运动（%2 个计数）：堵转，或编码器失效</translation>
     </message>
 </context>
 </TS>
