@@ -2,6 +2,7 @@
 #include "app/engine/servicejobs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -164,10 +165,12 @@ Result<void> ServiceJobs::again(const std::function<Result<void>()> &order)
     const bool idle = !isRunning();
     if (auto lent = idle ? m_links.takeAgain() : Result<void>(); !lent)
         return lent;
-    m_trouble = {};
+    const Message before = std::exchange(m_trouble, {});
     const Result<void> done = order();
     if (done)
         m_permit.setLeaving(false);
+    else
+        m_trouble = before;
     if (idle && !isRunning())
         m_links.giveBack();
     m_changed.notify();
