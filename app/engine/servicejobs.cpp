@@ -2,6 +2,7 @@
 #include "app/engine/servicejobs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -162,10 +163,12 @@ Result<void> ServiceJobs::again(const std::function<Result<void>()> &order)
         return fail(Fault::Refused, say("nothing is served here"), say("begin a queue first"));
     const bool idle = !isRunning();
     MB_TRY_VOID(idle ? m_links.takeAgain() : Result<void>());
-    m_trouble = {};
+    const Message before = std::exchange(m_trouble, {});
     const Result<void> done = order();
     if (done)
         m_permit.setLeaving(false);
+    else
+        m_trouble = before;
     if (idle && !isRunning())
         m_links.giveBack();
     m_changed.notify();

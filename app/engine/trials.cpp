@@ -63,6 +63,8 @@ Task<void> runOf(
 Message resultOf(const Trial &trial)
 {
     const auto &[overshoot, settle] = std::tie(trial.metrics.overshoot, trial.metrics.settle);
+    if (Message shortfall = tuning::shortfallOf(trial.metrics); !shortfall.empty())
+        return shortfall;
     if (!overshoot)
         return say("done");
     const MessageNumber percent{100.0 * *overshoot, 1, "%"};

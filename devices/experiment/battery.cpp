@@ -11,7 +11,7 @@ constexpr std::array<double, 5> sizes{0.2, 0.4, 0.6, 0.8, 1.0}; ///< of the larg
 
 bool neverSettled(const Metrics &metrics)
 {
-    return metrics.overshoot && !metrics.settle && metrics.noise.value_or(0.0) <= unreadableNoise;
+    return metrics.noise && !metrics.settle && *metrics.noise <= unreadableNoise;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/metrics.h"
 
+#include "experiment/figures.h"
 #include "experiment/localfit.h"
 
 #include <algorithm>
@@ -295,6 +296,13 @@ std::optional<double> metricOf(const Metrics &metrics, std::string_view key)
 {
     const MetricKey *const metric = findMetric(key);
     return metric ? metrics.*metric->value : std::nullopt;
+}
+
+Message shortfallOf(const Metrics &metrics)
+{
+    if (metrics.overshoot || metrics.sse.value_or(0.0) <= band)
+        return {};
+    return say("it came to %1 of its step while that was held", percentText(std::max(1.0 - *metrics.sse, 0.0)));
 }
 
 Response readResponse(const Trace &measured, std::optional<double> target, double leastMove, int repeats)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
 #include "experiment/trace.h"
 
 #include <array>
@@ -26,6 +27,8 @@ struct Metrics {
 
     friend bool operator==(const Metrics &, const Metrics &) = default;
 };
+/// How far a response came that was not where it ends when its hold was over; empty where it was, or none was read.
+[[nodiscard]] Message shortfallOf(const Metrics &metrics);
 
 /// The keys of Metrics in JSON, CSV and journals, in their order; and how people read them: times `scale` in `unit`, with so many
 /// decimals.

@@ -5,6 +5,7 @@
 #include "async/sleep.h"
 #include "model/family.h"
 #include "model/unit.h"
+#include "service/unitrun.h"
 
 #include <algorithm>
 #include <optional>
@@ -227,7 +228,7 @@ Task<void> QueueBus::refuse(Row &row, const Device &device, Error error)
     if (visit.id.empty()) {
         visit = co_await openVisit(row, device);
     }
-    visit.outcome = Outcome::Refused;
+    visit.outcome = outcomeOfRefusal(visit);
     visit.cause = error.detail;
     visit.remedy = error.help();
     visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});

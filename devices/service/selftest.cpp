@@ -68,19 +68,31 @@ std::optional<double> figureOf(const MotorFigures &figures, std::string_view key
     return figures.encoder ? 1.0 : 0.0;
 }
 
+/// What cannot be told of a response that was still on its way.
+bool isOfItsEnd(std::string_view key)
+{
+    return key == "rise" || key == "settle" || key == "overshoot";
+}
+
 void evaluate(TestFinding &finding, const SelfTest &test, const Trial &trial, const MotorFigures &figures)
 {
+    const Message shortfall = tuning::shortfallOf(trial.metrics);
     for (const Acceptance &limit : test.accept) {
         finding.values.push_back(judged(
             limit, isFigure(limit.key) ? figureOf(figures, limit.key) : tuning::metricOf(trial.metrics, limit.key)));
         const TestValue &value = finding.values.back();
         if (value.passed || finding.failure)
             continue;
-        const Message what = value.key == figure::encoder ? say("the encoder does not count both ways")
+        const bool isShort = !value.value && isOfItsEnd(value.key) && !shortfall.empty();
+        const Message what = isShort       ? shortfall
+            : value.key == figure::encoder ? say("the encoder does not count both ways")
             : value.value
             ? say("%1 is %2, %3", figureName(value.key), figureNumber(value.key, *value.value), limitsText(value))
             : say("%1 could not be measured", figureName(value.key));
-        finding.failure = Error{Fault::BadCheck, what, remedyOf(value.key)};
+        finding.failure = Error{Fault::BadCheck, what,
+            isShort
+                ? say("see that motor and load are those of the recipe and that its time is enough, then test again")
+                : remedyOf(value.key)};
     }
 }
 

@@ -42,6 +42,12 @@ Message settingsText(int count)
 
 } // namespace
 
+Outcome outcomeOfRefusal(const Visit &visit)
+{
+    const auto writes = [](const StepEntry &entry) { return entry.step > Step::Backup; };
+    return std::ranges::any_of(visit.steps, writes) ? Outcome::Failed : Outcome::Refused;
+}
+
 UnitRun::UnitRun(
     Device &device, SetPointStream &stream, Visit visit, ServiceSurroundings surroundings, Progress &progress)
     : m_device(device)

@@ -9,6 +9,9 @@
 
 namespace mb::service {
 
+/// What a visit has come to that is refused by its preflight: once a step before a cut has written to the unit, it has failed.
+[[nodiscard]] Outcome outcomeOfRefusal(const Visit &visit);
+
 /// One unit under one recipe: its steps, and what they share. Lives in the frame of serveUnit().
 class UnitRun {
 public:

@@ -26,8 +26,8 @@ Task<Visit> serveUnit(
         auto concluding = run.conclude(Outcome::Passed, {});
         co_return co_await std::move(concluding).attempt();
     }
-    const bool untouched = run.visit().step == Step::Preflight && !isSilence(served.error().fault);
-    auto concluding = run.conclude(untouched ? Outcome::Refused : Outcome::Failed, served.error());
+    const bool isRefused = run.visit().step == Step::Preflight && !isSilence(served.error().fault);
+    auto concluding = run.conclude(isRefused ? outcomeOfRefusal(run.visit()) : Outcome::Failed, served.error());
     co_return co_await std::move(concluding).attempt();
 }
 

@@ -39,7 +39,6 @@ constexpr double laterSettle = 0.15;     ///< s
 constexpr double quietNoise = 0.005;     ///< of the step, with which settling can still be measured
 constexpr double endOfHold = 0.25;
 constexpr double leastError = 0.02; ///< of the step
-constexpr double onlyPart = 0.1;    ///< of the step, by which a response that cannot be measured is not there yet
 
 void addNumber(const Family &family, std::optional<ParameterIndex> index, double number, ScaledGains &into)
 {
@@ -251,12 +250,10 @@ ProofLimits proofLimits(const Metrics &predicted, double step, double resting)
 
 Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
 {
-    if (!measured.rise || !measured.overshoot) {
-        const double missing = measured.sse.value_or(0.0);
-        return missing > onlyPart
-            ? say("it came to %1 of its step while that was held", percentText(std::max(1.0 - missing, 0.0)))
-            : say("the response could not be measured");
-    }
+    if (Message shortfall = shortfallOf(measured); !shortfall.empty())
+        return shortfall;
+    if (!measured.rise || !measured.overshoot)
+        return say("the response could not be measured");
     const double blur = std::min(blurOfNoise * measured.noise.value_or(0.0), mostBlur);
     const ProofLimits limits = proofLimits(predicted, step, resting);
     const double overshoot = limits.overshoot + blur;

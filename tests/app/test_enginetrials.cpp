@@ -194,6 +194,22 @@ TEST_F(TrialCore, ATrialThatIsNotKeptIsACaution)
     EXPECT_EQ(cautions, std::vector<std::string>{"this trial is not kept: the disk is full"});
 }
 
+TEST_F(TrialCore, AStepThatWasHeldTooBrieflySaysHowFarItCame)
+{
+    std::string said;
+    const Subscription listening
+        = core.noticed().add([&said](Severity, const std::string &, const Message &text) { said = text.english(); });
+    test::Heard<tuning::Trial> ran;
+    tuning::ExperimentPlan plan;
+    plan.mode = Mode::Velocity;
+    plan.to = 60'000.0;
+    plan.seconds = 0.05;
+    core.send(orders::RunTrial{id(), plan, {}}, ran.finished());
+    ASSERT_TRUE(clock.runUntil([&ran] { return ran.has_value(); }, 60s) && *ran);
+    EXPECT_FALSE((*ran)->metrics.overshoot);
+    EXPECT_TRUE(said.starts_with("trial #1: it came to ")) << said;
+}
+
 TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)
 {
     const std::int64_t before = stored();

@@ -319,6 +319,19 @@ TEST_F(Served, AQueueThatWasEndedWaitsForNoArmingWhateverIsRefusedMeanwhile)
     EXPECT_FALSE(view().waitsForArm());
 }
 
+TEST_F(Served, WhatEndedAQueueIsSaidUntilItGoesOn)
+{
+    ASSERT_TRUE(serve(
+        {recipe(R"({"recipe":1,"name":"last","family":"dmc60c","number":{"first":63}})"), {"sim:can"}, std::nullopt}));
+    ASSERT_TRUE(clock.runUntil([this] { return !view().running; }, 10min));
+    const Message trouble = view().trouble;
+    ASSERT_NE(trouble.english().find("all numbers are used up"), std::string::npos) << trouble;
+    test::Heard<> retried;
+    core->send(orders::RetryFailedUnits{}, retried.finished());
+    ASSERT_TRUE(retried && !*retried);
+    EXPECT_EQ(view().trouble, trouble);
+}
+
 TEST_F(Served, TickedUnitsOnlyAndTheOthersAreLeftOut)
 {
     const DeviceId seven = core->session().idOf(*device(7));

@@ -178,6 +178,30 @@ TEST_F(CutUnits, WhichComeBackSomeSecondsLaterGoOnInTheirOwnRow)
     EXPECT_EQ(again.queue.rows().size(), 1U);
 }
 
+TEST_F(CutUnits, WhichAreRefusedWhenTheQueueGoesOnHaveFailedWhereTheyWereWrittenTo)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+    const RecipeMatter matter = load(rack, shortText);
+    const std::string name = cut(rack, matter, Step::Parameters);
+    Device *const unit = rack.session->devices().front();
+    tuning::Trial trial;
+    trial.device = unit->selector();
+    trial.unit = unitKeyOf(*unit);
+    const auto number = test::run(rack.clock, books->trials->begin(trial));
+    const auto tried = test::run(rack.clock, unit->read(*findParameter(unit->family().parameters, "slot0.p")));
+    ASSERT_TRUE(number && tried);
+    ASSERT_TRUE(test::run(rack.clock, books->trials->owe(*number, trial.unit, {{"slot0.p", *tried + 7, *tried}})));
+    books->trials->abandon(*number);
+    QueueRun again(rack, *books, matter, options(name));
+    ASSERT_TRUE(again.run(5min));
+    const auto visits = books->visits();
+    ASSERT_EQ(visits.size(), 1U);
+    EXPECT_NE(visits[0].cause.english().find("did not put back what it changed"), std::string::npos)
+        << visits[0].cause.english();
+    EXPECT_EQ(visits[0].outcome, Outcome::Failed) << "its firmware was written";
+    EXPECT_EQ(again.queue.counts().refused, 0);
+}
+
 TEST_F(CutUnits, AreNotUpdatedOnceMoreWhereTheyTellTheVersionOfTheImage)
 {
     for (const bool isOld : {false, true}) {

@@ -45,6 +45,26 @@ TEST_F(Endings, AStopThatNobodyHasSeenIsWrittenDownAsSuch)
     EXPECT_EQ(visits[0].ending, Ending::StopUnconfirmed) << visits[0].cause.english();
 }
 
+TEST_F(Endings, ASelfTestThatIsHeldTooBrieflyIsToldFromAMotorThatIsSlow)
+{
+    for (const char *const accept : {"rise", "settle", "overshoot"}) {
+        UnitRack rack({"dmc60c:5,serial=210334000001"});
+        QueueRun run(rack, *books,
+            load(rack,
+                QByteArray(R"({"recipe":1,"name":"turn","family":"dmc60c",
+"test":{"loop":"velocity","to":8000,"time":0.3,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{")")
+                    + accept + R"(":0.9}}})"));
+        ASSERT_TRUE(run.run());
+        const auto visits = books->visits();
+        ASSERT_EQ(visits.size(), 1U);
+        EXPECT_EQ(visits[0].outcome, Outcome::Failed);
+        EXPECT_TRUE(visits[0].cause.english().starts_with("it came to ")) << visits[0].cause.english();
+        EXPECT_TRUE(visits[0].remedy.english().find("its time is enough") != std::string::npos)
+            << visits[0].remedy.english();
+    }
+}
+
 const QByteArray turnWithBase = R"({"recipe":1,"name":"turn","family":"dmc60c",
 "parameters":{"file":"base_c.json"},"test":{"loop":"velocity","to":8000,"time":0.8,
 "limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})";

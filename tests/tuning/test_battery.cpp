@@ -83,6 +83,24 @@ TEST(Batteries, CallAStepThatDidNotSettleTheWorstToSettle)
     EXPECT_EQ(worstOf(trials).metrics.settle, 0.5) << "it was stopped before it answered";
 }
 
+TEST(Batteries, CallAStepThatWasHeldTooBrieflyTheWorstToSettle)
+{
+    test::ExperimentBench bench;
+    std::vector<Trial> trials;
+    for (const double seconds : {2.0, 0.3, 2.0}) {
+        ExperimentPlan step = test::stepTo(Mode::Velocity, 8'000.0);
+        step.seconds = seconds;
+        const auto trial = bench.run(step);
+        ASSERT_TRUE(trial) << trial.error().text();
+        EXPECT_EQ(trial->reason, "done");
+        EXPECT_EQ(trial->metrics.settle.has_value(), seconds > 1.0);
+        trials.push_back(*trial);
+    }
+    const auto settle = static_cast<std::size_t>(findMetric("settle") - metricKeys().data());
+    EXPECT_FALSE(worstOf(trials).metrics.settle);
+    EXPECT_EQ(worstOf(trials).where[settle], 1U);
+}
+
 TEST(Batteries, OfUnitSevenAreTenTrialsThatOvershoot)
 {
     test::ExperimentBench bench("sim:can", "dmc60c", 7);

@@ -4,6 +4,7 @@
 #include "support/fakeworkbench.h"
 #include "support/utf8.h"
 #include "support/windowtests.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/service/counttiles.h"
 #include "widgets/service/journalcard.h"
 #include "widgets/service/productionpage.h"
@@ -12,6 +13,8 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
 #include <QTest>
 
 using namespace mb;
@@ -61,7 +64,14 @@ class TestProductionSight : public QObject {
 private Q_SLOTS:
     void atTwiceTheFontKeysAndCountsStayInSight();
     void whatMustHoldBeforeAUnitIsShown();
+    void aLinkThatIsNotOpenIsNamedBesideOneThatIs();
     void whatComesNextIsSaidWithTheVerdict();
+    void aUnitThatWasCutOffIsNotHiddenByTheVerdictBeforeIt();
+    void aUnitThatWentOnAfterACutIsTheLast();
+    void aNumberThatWasGivenBeforeIsNotPromisedToTheNext();
+    void unitsThatWaitForTheServerAreNotSaidToBeThere();
+    void aSelfTestIsShownWithWhereItBegins();
+    void whilePausedNoUnitIsSaidToStartByItself();
 };
 
 void TestProductionSight::atTwiceTheFontKeysAndCountsStayInSight()
@@ -101,6 +111,19 @@ void TestProductionSight::whatMustHoldBeforeAUnitIsShown()
     QVERIFY2(checks.text().contains(s("no link is open")), qPrintable(checks.text()));
 }
 
+void TestProductionSight::aLinkThatIsNotOpenIsNamedBesideOneThatIs()
+{
+    SightBench bench;
+    const auto &checks = *bench.page->findChild<UnitChecks *>();
+    Q_EMIT bench.page->findChild<QComboBox *>()->activated(0);
+    LinkView other = bench.workbench.shot.links.front();
+    other.address = other.name = "sim:serial";
+    bench.workbench.shot.links.front().state = LinkState::Lost;
+    bench.workbench.shot.links.push_back(other);
+    bench.workbench.publish();
+    QVERIFY2(checks.text().contains(s("sim:can is not open")), qPrintable(checks.text()));
+}
+
 void TestProductionSight::whatComesNextIsSaidWithTheVerdict()
 {
     SightBench bench;
@@ -119,6 +142,81 @@ void TestProductionSight::whatComesNextIsSaidWithTheVerdict()
     bench.show({passed}, false);
     QVERIFY2(bench.page->findChild<JournalCard *>()->text().contains(s("3 units")),
         qPrintable(bench.page->findChild<JournalCard *>()->text()));
+}
+
+void TestProductionSight::aUnitThatWasCutOffIsNotHiddenByTheVerdictBeforeIt()
+{
+    SightBench bench;
+    auto cut = sightRow(2, service::RowState::Skipped, "B2");
+    cut.visit.id = "visit";
+    cut.visit.cause = say("stopped before its motor turned");
+    bench.show({sightRow(1, service::RowState::Passed, "A1"), cut}, false);
+    const Verdict &verdict = bench.page->verdict().verdict();
+    QCOMPARE(verdict.kind, Verdict::Kind::Waiting);
+    QCOMPARE(verdict.unit, s("B2"));
+    QCOMPARE(verdict.cause, s("Stopped before its motor turned"));
+    QVERIFY2(verdict.next.contains(s("F5")), qPrintable(verdict.next));
+    auto *units = bench.page->findChild<QListWidget *>();
+    QVERIFY2(units->item(0)->text().startsWith(s("B2 left out")), qPrintable(units->item(0)->text()));
+    QTest::keyClick(bench.page.get(), Qt::Key_F8);
+    QCOMPARE(bench.page->verdict().verdict().unit, QString());
+}
+
+void TestProductionSight::aUnitThatWentOnAfterACutIsTheLast()
+{
+    SightBench bench;
+    auto first = sightRow(1, service::RowState::Failed, "A1"); // left out, and taken up again after the other
+    first.visit.steps = {{service::Step::Preflight, 1000.0, true, {}}, {service::Step::Test, 1200.0, true, {}}};
+    auto other = sightRow(2, service::RowState::Passed, "B2");
+    other.visit.steps = {{service::Step::Proof, 1100.0, true, {}}};
+    bench.show({first, other});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("A1"));
+}
+
+void TestProductionSight::aNumberThatWasGivenBeforeIsNotPromisedToTheNext()
+{
+    SightBench bench;
+    service::RecipeMatter matter;
+    matter.recipe.number.emplace();
+    bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(std::move(matter));
+    auto failed = sightRow(1, service::RowState::Failed, "A1");
+    failed.tries = 1;
+    bench.show({failed});
+    QVERIFY(bench.page->verdict().verdict().hint.contains(s("the next unit gets that one")));
+    failed.tries = 2;
+    bench.show({failed});
+    QCOMPARE(bench.page->verdict().verdict().hint, QString());
+}
+
+void TestProductionSight::unitsThatWaitForTheServerAreNotSaidToBeThere()
+{
+    SightBench bench;
+    bench.workbench.kept = {"postgresql://anna@bench-db/journal", "bench 2", 3, {}};
+    bench.workbench.served.counts.passed = 3;
+    bench.show({sightRow(1, service::RowState::Passed, "A1")});
+    const QString text = bench.page->findChild<JournalCard *>()->text();
+    QVERIFY2(text.contains(s("3 entries wait")) && !text.contains(s("3 units")), qPrintable(text));
+}
+
+void TestProductionSight::aSelfTestIsShownWithWhereItBegins()
+{
+    service::SelfTest test;
+    test.loop = Mode::Velocity;
+    test.from = -8000.0;
+    test.to = 1500.0;
+    const QString text = motionOf(test);
+    QVERIFY2(text.contains(s("from ") + formatSignificant(-8000.0, 4) + s(" to ")), qPrintable(text));
+}
+
+void TestProductionSight::whilePausedNoUnitIsSaidToStartByItself()
+{
+    SightBench bench;
+    bench.workbench.served.pausing = true;
+    for (const bool any : {false, true}) {
+        bench.show(any ? std::vector{sightRow(1, service::RowState::Passed, "A1")} : std::vector<service::QueueRow>());
+        const QString &hint = bench.page->verdict().verdict().hint;
+        QVERIFY2(hint.startsWith(s("Paused")), qPrintable(hint));
+    }
 }
 
 MB_WINDOW_TEST(TestProductionSight);

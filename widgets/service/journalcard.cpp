@@ -48,7 +48,8 @@ void JournalCard::follow()
     m_place->setText(
         journal.server.empty() ? tr("On this computer") : tr("PostgreSQL, %1").arg(server.host() + server.path()));
     QString state = tr("station %1").arg(qt(journal.station));
-    if (const int ended = m_workbench.service().counts.ended(); ended > 0 && journal.trouble.empty())
+    if (const int ended = m_workbench.service().counts.ended();
+        ended > 0 && journal.trouble.empty() && journal.waiting == 0)
         state += QStringLiteral(" · ") + tr("%n units of this run are in it", nullptr, ended);
     if (journal.waiting > 0)
         state += QStringLiteral(" · ") + tr("%n entries wait for the server", nullptr, journal.waiting);

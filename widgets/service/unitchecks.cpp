@@ -26,7 +26,10 @@ void UnitChecks::follow(const Snapshot &shot, const JournalState &journal, const
     const auto turning = std::ranges::find_if(shot.devices,
         [&](const DeviceView &device) { return device.link == link && (device.motion.running || device.mayTurn); });
     const bool stands = turning == shot.devices.end();
-    tell(LinkOpen, open, open ? tr("%1 is open").arg(qt(found->name)) : tr("no link is open"));
+    tell(LinkOpen, open,
+        open               ? tr("%1 is open").arg(qt(found->name))
+            : link.empty() ? tr("no link is open")
+                           : tr("%1 is not open").arg(qt(link)));
     set(UnitAnswers, units > 0 ? GlyphState::Done : GlyphState::Waiting,
         !open           ? QString()
             : units > 0 ? tr("%n units answer, one at a time", nullptr, units)

@@ -107,7 +107,7 @@ void UnitList::follow(const ServiceView &view)
     clear();
     for (int i = static_cast<int>(view.rows.size()) - 1; i >= 0 && this->count() < shown; --i) {
         const service::QueueRow &row = view.rows[static_cast<std::size_t>(i)];
-        if (row.state == service::RowState::Skipped) // nothing was done to it
+        if (row.state == service::RowState::Skipped && row.visit.id.empty()) // nothing was done to it
             continue;
         const QString number = row.visit.number ? QStringLiteral("#%1").arg(*row.visit.number) : QString();
         auto *item = new QListWidgetItem(

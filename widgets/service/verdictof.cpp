@@ -30,6 +30,18 @@ bool hasEnded(RowState state)
     return state == RowState::Passed || state == RowState::Failed || state == RowState::Refused;
 }
 
+/// Begun, and ended before anything was judged: it goes on where it was when it is tested again.
+bool isCutOff(const QueueRow &row)
+{
+    return row.state == RowState::Skipped && !row.visit.id.empty();
+}
+
+/// One that went on after a cut was opened long before.
+double endOf(const service::Visit &visit)
+{
+    return visit.steps.empty() ? visit.time + visit.seconds : visit.steps.back().time;
+}
+
 /// A cause begins small where it stands behind the name of a unit; alone it is a sentence.
 QString asSentence(QString text)
 {
@@ -112,6 +124,13 @@ QString linksOf(const ServiceView &view)
     return links.join(QStringLiteral(", "));
 }
 
+/// Of the next unit, while units are served.
+QString whenItStarts(const ServiceView &view)
+{
+    return view.pausing ? BenchText::tr("Paused: no unit starts before the queue goes on.")
+                        : BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+}
+
 Verdict waiting(const ServiceView &view)
 {
     Verdict verdict;
@@ -120,7 +139,7 @@ Verdict waiting(const ServiceView &view)
         verdict.cause = messageText(view.trouble);
     } else if (view.running) {
         verdict.next = BenchText::tr("Connect a unit");
-        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+        verdict.hint = whenItStarts(view);
     } else {
         verdict.next = BenchText::tr("Open a recipe, then Start");
     }
@@ -142,8 +161,7 @@ const QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32
     const QueueRow *last = nullptr;
     for (const QueueRow &row : view.rows) {
         const bool seen = std::ranges::find(setAside, row.id) != setAside.end();
-        if (hasEnded(row.state) && !seen
-            && (!last || row.visit.time + row.visit.seconds >= last->visit.time + last->visit.seconds))
+        if ((hasEnded(row.state) || isCutOff(row)) && !seen && (!last || endOf(row.visit) >= endOf(last->visit)))
             last = &row;
     }
     return last;
@@ -159,12 +177,13 @@ namespace {
 /// One dim line below what to do next.
 QString hintOf(const ServiceView &view, const QueueRow &row, Verdict::Kind kind)
 {
-    const bool numbers = view.matter && view.matter->recipe.number;
-    if (kind == Verdict::Kind::Failed)
-        return numbers && !row.visit.number ? BenchText::tr("It got no number: the next unit gets that one.")
-                                            : QString();
+    const bool numbers = view.matter && view.matter->recipe.number && row.visit.step < service::Step::Number;
+    if (kind == Verdict::Kind::Failed) // what an earlier try was given stays its own
+        return numbers && !row.visit.number && row.tries < 2
+            ? BenchText::tr("It got no number: the next unit gets that one.")
+            : QString();
     if (view.running)
-        return BenchText::tr("It starts by itself when it answers on %1.").arg(linksOf(view));
+        return whenItStarts(view);
     return BenchText::tr("Start serves the next unit.");
 }
 
@@ -193,10 +212,10 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     }
     verdict.cause = asSentence(messageText(row->visit.cause));
     verdict.remedy = asSentence(messageText(row->visit.remedy));
-    verdict.next = verdict.kind == Verdict::Kind::Failed ? wordsOfKeys(page,
+    verdict.next = verdict.kind == Verdict::Kind::Failed || isCutOff(*row) ? wordsOfKeys(page,
                        BenchText::tr("%1 tests again · %2 sets it aside"), {QStringLiteral("F5"), QStringLiteral("F8")})
-        : view.running                                   ? BenchText::tr("Unplug, connect next")
-                                                         : BenchText::tr("Safe to unplug");
+        : view.running                                                     ? BenchText::tr("Unplug, connect next")
+                                                                           : BenchText::tr("Safe to unplug");
     verdict.hint = hintOf(view, *row, verdict.kind);
     return verdict;
 }
@@ -230,9 +249,9 @@ QString lineOf(const QueueRow &row)
     switch (row.state) {
     case RowState::Passed: return versionsOf(visit);
     case RowState::Failed:
-    case RowState::Refused: return messageText(visit.cause);
+    case RowState::Refused:
+    case RowState::Skipped: return messageText(visit.cause);
     case RowState::Running: return messageText(row.what);
-    case RowState::Skipped:
     case RowState::Waiting: break;
     }
     return {};
@@ -270,7 +289,10 @@ std::optional<double> meanSeconds(const ServiceView &view)
 QString motionOf(const service::SelfTest &test)
 {
     const QString unit = QLatin1Char(' ') + qt(unitOf(test.loop));
-    QStringList words{BenchText::tr("%1 to %2").arg(modeText(test.loop), formatSignificant(test.to, 4) + unit)};
+    const QString target = formatSignificant(test.to, 4) + unit;
+    QStringList words{test.from
+            ? BenchText::tr("%1 from %2 to %3").arg(modeText(test.loop), formatSignificant(*test.from, 4), target)
+            : BenchText::tr("%1 to %2").arg(modeText(test.loop), target)};
     if (test.limits.duty)
         words << BenchText::tr("duty at most %1 %").arg(formatSignificant(*test.limits.duty * 100.0, 2));
     if (test.limits.speed)

@@ -6,11 +6,11 @@
 
 namespace mb {
 
-/// What the bench shows large: the unit that is being served, else the one that ended last, else that it is ready.
+/// What the bench shows large: the unit that is being served, else the one that ended last or was cut off, else that it is ready.
 /// `setAside`: rows whose verdict somebody has seen; `page`: whose keys are named.
 [[nodiscard]] Verdict verdictOf(
     const ServiceView &view, const std::vector<std::uint32_t> &setAside, const QWidget &page);
-/// The row that ended last and nobody has set aside; nullptr without one, and while another unit is being served.
+/// The row that ended last, or was cut off since, and nobody has set aside; nullptr without one, and while another unit is being served.
 [[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
 /// It has all but its self-test, which waits until the station is armed.
 [[nodiscard]] bool isWaitingForArm(const ServiceView &view, const service::QueueRow &row);
