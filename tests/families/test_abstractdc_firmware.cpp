@@ -178,15 +178,15 @@ protected:
         void part(int number, PartState state) override { parts.emplace_back(number, state); }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
         void mayInterrupt(bool may) override { interruptible = may; }
-        void accepted(int pages, int) override
+        void accepted(int pages, int retries) override
         {
             if (!interruptible)
-                written.push_back(pages);
+                written.emplace_back(pages, retries);
         }
         std::function<void(const std::string &)> onStep;
         bool interruptible = true;
         std::vector<std::string> said;
-        std::vector<int> written; ///< as it was told while it was not to be cancelled
+        std::vector<std::pair<int, int>> written; ///< and retries, as it was told while it was not to be cancelled
         std::vector<std::pair<int, PartState>> parts;
         Severity worst = Severity::Info;
     } steps;
@@ -219,7 +219,7 @@ TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
     EXPECT_TRUE(report->verified);
     EXPECT_EQ(report->to, "");
     EXPECT_EQ(report->pages, 1);
-    EXPECT_EQ(steps.written, std::vector<int>{1}) << "whatever ends it then";
+    EXPECT_EQ(steps.written, (std::vector{std::pair{1, 0}})) << "whatever ends it then";
     for (const char *step : {"Connecting through OpenOCD", "Writing flash", "Verifying flash", "Looking for the drive"})
         EXPECT_NE(std::find(steps.said.begin(), steps.said.end(), step), steps.said.end()) << step;
     QFile called(folder.path() + "/called");
@@ -248,12 +248,14 @@ TEST_F(AbstractDcUpdate, AProgrammerThatSaysNothingIsToldAsConnecting)
 
 TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
 {
+    EXPECT_TRUE(family.routes.front().erasesSettings) << "as users are offered";
     standIn(replay("erased address 0x0800c800 (length 3072) in 0.124s\n" + std::string(success), 0));
     const auto report = update(by("openocd:stlink", true));
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(steps.worst, Severity::Caution);
     const auto divisor = *findParameter(family.parameters, "velocity.divisor");
     EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
+    EXPECT_EQ(device->parameters().entry(*findParameter(family.parameters, "current.averaging")).raw, 1);
     EXPECT_EQ(device->knowledge().profile().counters.at("saves.velocity"), 0);
 }
 

@@ -249,6 +249,19 @@ TEST_F(AbstractDcLead, GainsAreNotKnownUntilTheirDampingIs)
 }
 
 /// There no target is near enough, and dialect L has no log of its output that would stop it.
+TEST_F(AbstractDcLead, ATargetWhereTheMotorStandsProvesNothingOfGainsThatNobodyKnows)
+{
+    add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    ASSERT_TRUE(turnsAwayFromZero());
+    const double here = latest("position");
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, here), 60s));
+    clock.advance(3s);
+    ASSERT_TRUE(stream.update(setPoint(Mode::Position, here + 100000.0)));
+    EXPECT_NEAR(latest("setpoint"), here + 1000.0, 50.0);
+}
+
 TEST_F(AbstractDcLead, GainsWithWhichAnErrorOfOneTurnsTheOutputRoundMoveNothing)
 {
     add("abstractdc:3,gains=default");

@@ -152,6 +152,9 @@ TEST(AbstractDcQuestionWatch, OnlyTheLogThatIsPassingNowAnswersAQuestion)
         EXPECT_FALSE(watch.answersOnly(1)) << next;
     }
     EXPECT_FALSE(pass("403#01000000")) << "it has been answered";
+    EXPECT_FALSE(pass("387#01"));
+    EXPECT_FALSE(pass("00000403#01000000")) << "of another protocol, with a long identifier";
+    EXPECT_TRUE(pass("403#01000000"));
 }
 
 TEST(AbstractDcQuestionBook, TheOldestOf256QuestionsGivesWayToANewerOne)

@@ -92,6 +92,22 @@ TEST(SupermodifiedPresence, CountsThatAreGoneAfterASilenceAreARestartUnlessItTak
     }
 }
 
+/// Next to where it counts from it may have been switched off and on, where no motor could have come so fast.
+TEST(SupermodifiedPresence, CountsThatJumpToTheirOriginFourTimesAsFarAsTheyLastWentAreDoubted)
+{
+    Bench bench;
+    const auto line = Line::of(bench.host, bench.clock);
+    const Node node;
+    for (const auto &[step, from, jumps] : {std::tuple{10, 40, false}, {10, 41, true}, {-10, 41, true}, {0, 16, false},
+             {0, 17, true}, {100, 400, false}, {100, 401, true}}) {
+        NodePresence presence(*line, node, {[] {}, [] {}});
+        presence.located(from - step, false);
+        presence.located(from, false);
+        EXPECT_EQ(presence.hasJumped(0), jumps) << step << ' ' << from;
+        EXPECT_FALSE(presence.hasJumped(from * 2)) << "away from it";
+    }
+}
+
 /// A line with a peer that answers every request with the same code.
 class SupermodifiedVerdicts : public testing::Test {
 protected:

@@ -45,6 +45,7 @@ TEST_F(SupermodifiedFailures, TheNewestTargetTakesThePlaceOfTheOneThatWaits)
 TEST_F(SupermodifiedFailures, WhileAMoveIsUnderWayNoneIsReleasedAndOnceItHasFailedNeither)
 {
     order(setPoint(Mode::Position, 0.0), 500ms);
+    EXPECT_FALSE(device->gate().keepsMove()) << "what is done at once is not kept";
     ASSERT_TRUE(device->command(buffered(setPoint(Mode::Position, 1000.0))));
     EXPECT_EQ(textOf(device->releaseMoves()), "a buffered move is not acknowledged yet; try again");
     bench.clock.advance(500ms);
