@@ -2250,6 +2250,14 @@
         <source>%1 tests again · %2 sets it aside</source>
         <translation>%1 prüft erneut · %2 legt beiseite</translation>
     </message>
+    <message>
+        <source>Paused: no unit starts before the queue goes on.</source>
+        <translation>Angehalten: Kein Gerät beginnt, bevor die Warteschlange weiterläuft.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 auf %3</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -11016,6 +11024,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Before each unit</source>
         <translation>Vor jedem Gerät</translation>
     </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 ist nicht offen</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitList</name>
@@ -19003,6 +19015,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
         <translation>der Motor bewegte sich nicht, als er %1 counts aufwärts geschickt wurde (%2 counts): blockiert, oder der Encoder ist tot</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
+        <translation>prüfen, ob Motor und Last die des Rezepts sind und ob seine Zeit reicht, dann erneut prüfen</translation>
     </message>
 </context>
 </TS>

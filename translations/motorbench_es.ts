@@ -2250,6 +2250,14 @@
         <source>%1 tests again · %2 sets it aside</source>
         <translation>%1 prueba de nuevo · %2 la aparta</translation>
     </message>
+    <message>
+        <source>Paused: no unit starts before the queue goes on.</source>
+        <translation>En pausa: ningún equipo empieza antes de que la cola continúe.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 de %2 a %3</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -11016,6 +11024,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>Before each unit</source>
         <translation>Antes de cada unidad</translation>
     </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 no está abierto</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitList</name>
@@ -19003,6 +19015,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
         <translation>el motor no se movió al enviarlo %1 cuentas hacia arriba (%2 cuentas): bloqueado o el encoder no funciona</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
+        <translation>compruebe que motor y carga sean los de la receta y que su tiempo baste, y pruebe de nuevo</translation>
     </message>
 </context>
 </TS>

@@ -2250,6 +2250,14 @@
         <source>%1 tests again · %2 sets it aside</source>
         <translation>%1 reteste · %2 met de côté</translation>
     </message>
+    <message>
+        <source>Paused: no unit starts before the queue goes on.</source>
+        <translation>En pause : aucun appareil ne démarre avant la reprise de la file.</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 de %2 à %3</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -11016,6 +11024,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>Before each unit</source>
         <translation>Avant chaque appareil</translation>
     </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 n’est pas ouvert</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitList</name>
@@ -19002,7 +19014,11 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
-        <translation>le moteur n’a pas bougé quand on l’a envoyé %1 counts plus haut (%2 counts) : bloqué, ou le codeur est mort</translation>
+        <translation>le moteur n’a pas bougé quand on l’a envoyé %1 counts plus haut (%2 counts)&#xa0;: bloqué, ou le codeur est mort</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
+        <translation>vérifiez que moteur et charge sont ceux de la recette et que sa durée suffit, puis testez à nouveau</translation>
     </message>
 </context>
 </TS>

@@ -2248,6 +2248,14 @@
         <source>%1 tests again · %2 sets it aside</source>
         <translation>%1 で再テスト · %2 でよける</translation>
     </message>
+    <message>
+        <source>Paused: no unit starts before the queue goes on.</source>
+        <translation>一時停止中: キューが再開するまで、次の機器は開始しません。</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1、%2 から %3</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -11000,6 +11008,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Before each unit</source>
         <translation>各機器の前</translation>
     </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 は開いていません</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitList</name>
@@ -18986,6 +18998,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
         <translation>正方向 %1 counts の指令でモーターが動きませんでした (%2 counts): ストール、またはエンコーダの故障です</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
+        <translation>モーターと負荷がレシピどおりであること、レシピの時間が足りていることを確認して再試験してください</translation>
     </message>
 </context>
 </TS>

@@ -2248,6 +2248,14 @@
         <source>%1 tests again · %2 sets it aside</source>
         <translation>%1 再次测试 · %2 搁置</translation>
     </message>
+    <message>
+        <source>Paused: no unit starts before the queue goes on.</source>
+        <translation>已暂停：队列继续之前不会开始任何设备。</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1，从 %2 到 %3</translation>
+    </message>
 </context>
 <context>
     <name>mb::BodePlot</name>
@@ -11000,6 +11008,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>Before each unit</source>
         <translation>每台之前</translation>
     </message>
+    <message>
+        <source>%1 is not open</source>
+        <translation>%1 未打开</translation>
+    </message>
 </context>
 <context>
     <name>mb::UnitList</name>
@@ -18986,6 +18998,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is dead</source>
         <translation>命令电机向上移动 %1 个计数时它未运动（%2 个计数）：堵转，或编码器失效</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
+        <translation>检查电机和负载是否为配方所指定的，以及配方的时间是否足够，然后重新测试</translation>
     </message>
 </context>
 </TS>
