@@ -139,7 +139,6 @@ Result<void> RecordingFile::seek(Duration time)
         [](const Place &place, Duration wanted) { return place.time < wanted; });
     m_player = Cursor{after == m_places.begin() ? m_places.front() : *std::prev(after), {}, 0};
     m_sought.reset();
-    m_readsOn = false;
     do {
         MB_TRY(auto frame, read(m_player));
         m_sought = std::move(frame);

@@ -104,7 +104,7 @@ void SpiLink::dropTransfers()
 
 void SpiLink::setReady(std::optional<bool> level)
 {
-    const bool rose = level.value_or(false) && !m_ready.value_or(false);
+    const bool rose = level == true && m_ready != true;
     m_ready = level;
     if (rose)
         m_readyRaised.notify();

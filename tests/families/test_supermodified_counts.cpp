@@ -6,6 +6,8 @@
 #include "families/supermodified/nodepresence.h"
 #include "families/supermodifiedbench.h"
 
+#include <tuple>
+
 namespace mb::supermodified {
 namespace {
 

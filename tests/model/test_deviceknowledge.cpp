@@ -66,6 +66,7 @@ TEST_F(Knowledge, WhatChangesIsKeptAndOnlyWhatOthersFollowIsToldToThem)
     expectTold("a dialect", 1, 1, [this] { EXPECT_TRUE(knowledge.setDialect("B")); });
     expectTold("an assumption", 1, 0, [this] { knowledge.assume(knownGain, 5); });
     expectTold("lost settings", 1, 0, [this] { knowledge.settingsLost(); });
+    expectTold("another unit", 1, 0, [this] { knowledge.unitExchanged(); });
     expectTold("a counter", 1, 0, [this] { knowledge.setCounter("saves", 7); });
     expectTold("a verdict", 1, 0, [this] { knowledge.setVerdict("direction", "good"); });
     expectTold("what a file kept", 0, 1, [this] { knowledge.setProfile({}); });

@@ -45,6 +45,19 @@ TEST(QtClock, AnEarlierDeadlineArmedLaterIsServedFirst)
     EXPECT_EQ(order, "ab");
 }
 
+TEST(QtClock, TurnsTheLoopForWhatIsDueOnly)
+{
+    test::EventLoop loop;
+    bool due = false;
+    int turns = 0;
+    loop.clock().arm(loop.clock().now() + 100ms, [&due] { due = true; });
+    ASSERT_TRUE(loop.runUntil([&] {
+        ++turns;
+        return due;
+    }));
+    EXPECT_LE(turns, 25) << "one every 5 ms, of the loop of the tests";
+}
+
 TEST(QtClock, DisarmedWorkDoesNotRunAndTheRestDoes)
 {
     test::EventLoop loop;

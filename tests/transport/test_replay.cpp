@@ -281,6 +281,12 @@ TEST(Replay, StandsWhileItIsReadOnInPiecesWhereTheWantedInterfaceFellSilent)
     replay.clock.advance(10s);
     EXPECT_EQ(replay.frames.size(), 4U);
     EXPECT_EQ(replay.ends, 2);
+    ASSERT_TRUE(replay.link->seek(0s));
+    replay.link->play();
+    replay.clock.step();
+    ASSERT_TRUE(replay.link->seek(0s));
+    replay.clock.advance(10s);
+    EXPECT_EQ(replay.frames.size(), 7U) << "no frame is passed over by what it was about to read";
 }
 
 TEST(Replay, KnowsNothingOfTheBusOfALaterPartOnceItHasJumpedBack)

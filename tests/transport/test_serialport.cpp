@@ -162,6 +162,7 @@ TEST_F(SerialPort, SendsAStopThatStillWaitsWhenItIsClosed)
     ASSERT_TRUE(link->send(Bytes(64, 0x55)));
     ASSERT_TRUE(link->send(Bytes{0x01}));
     ASSERT_TRUE(link->send(Bytes{0xAA}, Priority::Urgent));
+    ASSERT_TRUE(link->send(Bytes{0x02}));
     ASSERT_EQ(terminal.read(), Bytes(64, 0x55));
     link->close();
     EXPECT_EQ(terminal.read(), Bytes{0xAA}) << "the stop, and nothing of what was not urgent";

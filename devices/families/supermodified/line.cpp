@@ -71,7 +71,7 @@ Line::Ticket Line::submit(Request request, Done done)
     const Rank rank = request.rank;
     const auto place
         = std::ranges::find_if(m_waiting, [rank](const Entry &other) { return other.request.rank > rank; });
-    m_waiting.insert(place, Entry{id, request, std::move(done), 0});
+    m_waiting.insert(place, Entry{id, request, std::move(done)});
     if (rank == Rank::Stop)
         shortenTimeout();
     if (m_link.state() == LinkState::Open)
@@ -168,7 +168,7 @@ bool Line::isSilent()
 void Line::repeatStops()
 {
     for (Request &request : std::exchange(m_early, {}))
-        m_waiting.push_front(Entry{++m_lastId, request, {}, 0});
+        m_waiting.push_front(Entry{++m_lastId, request});
 }
 
 void Line::onBytes(std::span<const std::uint8_t> bytes)

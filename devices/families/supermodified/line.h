@@ -87,7 +87,7 @@ private:
     struct Entry {
         std::uint64_t id = 0;
         Request request;
-        Done done;
+        Done done{};
         LinePolls::Key poll = 0; ///< 0: not a poll
     };
     struct InFlight {
