@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/gains.h"
 #include "families/abstractdc/simulatoroptions.h"
-#include "model/family.h"
 #include "tests/tuning/experimentbench.h"
-#include "tests/tuning/realunit.h"
 
 #include <gtest/gtest.h>
 
@@ -293,55 +291,6 @@ TEST(Experiment, AChirpIsNoOscillationOfTheLoopOnAnyFamily)
         ASSERT_TRUE(trial) << trial.error().text();
         EXPECT_EQ(trial->reason, "done") << unit.family << ": " << trial->detail;
     }
-}
-
-/// Of a profile that this program leads, at every phase of its set-points against the loop's passes.
-TEST(Experiment, ARampIsNoOscillationOfTheLoopOnAnyFamily)
-{
-    for (const Unit &unit : {Unit{"sim:can", "dmc60c", 5, Mode::Position, 150'000.0},
-             Unit{"sim:can", "abstractdc", 3, Mode::Position, 10'000.0},
-             Unit{"sim:spi", "quadquad2drv", 0, Mode::Position, 2000.0},
-             Unit{"sim:serial", "supermodified", 4, Mode::Position, 20'000.0},
-             Unit{"sim:serial", "supermodified", 5, Mode::Position, 2000.0}}) {
-        ExperimentBench bench(unit.link, unit.family, unit.address);
-        ExperimentPlan plan = stepTo(unit.mode, unit.to);
-        const Family &family = bench.device->family();
-        EXPECT_LE(family.trials->glideBeat, family.capabilities.commandPeriod);
-        plan.from = 0.0;
-        plan.profile = Profile::Ramp;
-        plan.seconds = 1.5;
-        for (int phase = 0; phase < 10; ++phase) {
-            bench.bench.clock.advance(2s + phase * 2ms);
-            const auto trial = bench.run(plan);
-            ASSERT_TRUE(trial) << trial.error().text();
-            EXPECT_EQ(trial->reason, "done") << unit.family << ": " << trial->detail;
-        }
-    }
-}
-
-/// After which the set-points that were missed are not sent all at once.
-TEST(Experiment, OfARampGoesOnWithItsNewestSetPointWhereTheProgramWasHeldUp)
-{
-    test::RealUnit unit; // a simulated one waits for a program that is held up
-    SetPointStream stream(*unit.device, unit.dated);
-    ExperimentPlan plan = stepTo(Mode::Duty, 0.3);
-    plan.profile = Profile::Ramp;
-    plan.limits = {.travel = 1e7, .speed = 1e6, .current = 100.0, .duty = 0.6};
-    const Subscription sent = stream.changed().add([&unit] { unit.clock.stall(20us); }); // it takes a moment
-    stream.renew();
-    auto task = runExperiment(*unit.device, stream, plan, {});
-    task.start();
-    const auto passes
-        = [&](const auto &reached) { return unit.clock.runUntil([&] { return stream.renew(), reached(); }, 10s); };
-    ASSERT_TRUE(passes([&] { return stream.isRunning() && stream.setPoint().target > 0.1; }));
-    unit.clock.stall(60ms);
-    ASSERT_TRUE(passes([&] { return task.isFinished(); }));
-    ASSERT_TRUE(task.result()) << task.result().error().text();
-    ASSERT_EQ(task.result()->reason, "done") << task.result()->detail;
-    const std::vector<double> told = task.result()->signal("setpoint")->trace.t;
-    EXPECT_GT(told.size(), 300U) << "every 5 ms";
-    for (std::size_t i = 2; i < told.size(); ++i)
-        EXPECT_GT(told[i] - told[i - 2], 0.002) << "besides what keeps it alive";
 }
 
 TEST(Experiment, RepeatsTellHowSureTheyAre)

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment/stimulus.h"
+#include "model/family.h"
+#include "tests/tuning/experimentbench.h"
+#include "tests/tuning/realunit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
+#include <tuple>
+#include <vector>
 
 namespace mb::tuning {
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr double beat = 0.02;
 
@@ -108,6 +115,54 @@ TEST(Stimulus, FinerThanTheDeviceTakesSetPointsIsRefusedWithTheNumbers)
         EXPECT_NE(stimulus.error().text().find(row.number), std::string::npos) << stimulus.error().detail;
     }
     EXPECT_TRUE(Stimulus::make(Profile::Step, 0.0, 1.0, 0.05, beat));
+}
+
+/// Of a profile that this program leads, at every phase of its set-points against the loop's passes.
+TEST(Stimulus, ARampIsNoOscillationOfTheLoopOnAnyFamily)
+{
+    for (const auto &[link, name, address, to] :
+        {std::tuple{"sim:can", "dmc60c", 5, 150'000.0}, std::tuple{"sim:can", "abstractdc", 3, 10'000.0},
+            std::tuple{"sim:spi", "quadquad2drv", 0, 2000.0}, std::tuple{"sim:serial", "supermodified", 4, 20'000.0},
+            std::tuple{"sim:serial", "supermodified", 5, 2000.0}}) {
+        test::ExperimentBench bench(link, name, address);
+        const Family &family = bench.device->family();
+        EXPECT_LE(family.trials->glideBeat, family.capabilities.commandPeriod);
+        ExperimentPlan plan = test::stepTo(Mode::Position, to);
+        plan.from = 0.0;
+        plan.profile = Profile::Ramp;
+        plan.seconds = 1.5;
+        for (int phase = 0; phase < 10; ++phase) {
+            bench.bench.clock.advance(2s + phase * 2ms);
+            const auto trial = bench.run(plan);
+            ASSERT_TRUE(trial) << trial.error().text();
+            EXPECT_EQ(trial->reason, "done") << name << ": " << trial->detail;
+        }
+    }
+}
+
+/// After which the set-points that were missed are not sent all at once.
+TEST(Stimulus, ARampGoesOnWithItsNewestSetPointWhereTheProgramWasHeldUp)
+{
+    test::RealUnit unit; // a simulated one waits for a program that is held up
+    SetPointStream stream(*unit.device, unit.dated);
+    ExperimentPlan plan = test::stepTo(Mode::Duty, 0.3);
+    plan.profile = Profile::Ramp;
+    plan.limits = {.travel = 1e7, .speed = 1e6, .current = 100.0, .duty = 0.6};
+    const Subscription sent = stream.changed().add([&unit] { unit.clock.stall(20us); }); // it takes a moment
+    stream.renew();
+    auto task = runExperiment(*unit.device, stream, plan, {});
+    task.start();
+    const auto passes
+        = [&](const auto &reached) { return unit.clock.runUntil([&] { return stream.renew(), reached(); }, 10s); };
+    ASSERT_TRUE(passes([&] { return stream.isRunning() && stream.setPoint().target > 0.1; }));
+    unit.clock.stall(60ms);
+    ASSERT_TRUE(passes([&] { return task.isFinished(); }));
+    ASSERT_TRUE(task.result()) << task.result().error().text();
+    ASSERT_EQ(task.result()->reason, "done") << task.result()->detail;
+    const std::vector<double> told = task.result()->signal("setpoint")->trace.t;
+    EXPECT_GT(told.size(), 300U) << "every 5 ms";
+    for (std::size_t i = 2; i < told.size(); ++i)
+        EXPECT_GT(told[i] - told[i - 2], 0.002) << "besides what keeps it alive";
 }
 
 } // namespace
