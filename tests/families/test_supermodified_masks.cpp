@@ -89,21 +89,24 @@ TEST(SupermodifiedRoster, WhereEveryIdIsInAGroupControlIsLocked)
 
 TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)
 {
-    Bench bench;
-    Simulator &follower = bench.add("supermodified:4,mask=240");
-    Simulator &driven = bench.add("supermodified:5");
-    bool started = false;
-    const Subscription events
-        = follower.events().add([&](const SimulatorEvent &event) { started |= event.what == "output-on"; });
-    const auto five = bench.connect(5);
-    const auto allowed = five->mayMove();
-    ASSERT_FALSE(allowed);
-    EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
-    EXPECT_NE(allowed.error().text().find("node 4"), std::string::npos) << allowed.error().detail;
-    EXPECT_FALSE(five->command(setPoint(Mode::Velocity, 200.0)));
-    bench.clock.advance(2s);
-    EXPECT_FALSE(started);
-    EXPECT_FALSE(driven.isOutputOn());
+    for (const int id : {4, 6, 15}) {
+        Bench bench;
+        Simulator &follower = bench.add("supermodified:" + std::to_string(id) + ",mask=240");
+        Simulator &driven = bench.add("supermodified:5");
+        bool started = false;
+        const Subscription events
+            = follower.events().add([&](const SimulatorEvent &event) { started |= event.what == "output-on"; });
+        const auto five = bench.connect(5);
+        const auto allowed = five->mayMove();
+        ASSERT_FALSE(allowed) << id;
+        EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
+        EXPECT_NE(allowed.error().text().find("node " + std::to_string(id)), std::string::npos)
+            << allowed.error().detail;
+        EXPECT_FALSE(five->command(setPoint(Mode::Velocity, 200.0)));
+        bench.clock.advance(2s);
+        EXPECT_FALSE(started) << id;
+        EXPECT_FALSE(driven.isOutputOn());
+    }
 }
 
 TEST(SupermodifiedMasks, WhileThatOfANodeCannotBeReadNoOtherIsDriven)

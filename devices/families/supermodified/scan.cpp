@@ -4,6 +4,7 @@
 #include "families/supermodified/interview.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mb::supermodified {
 namespace {
@@ -311,8 +312,10 @@ Task<void> Search::learnOthers(int address)
         if (id != address && node.baudrate == rate)
             others.push_back(id);
     }
-    for (int id = firstUsual; others.empty() && id <= lastUsual; ++id)
-        others.push_back(id);
+    if (others.empty()) {
+        others.resize(lastUsual - firstUsual + 1);
+        std::iota(others.begin(), others.end(), firstUsual);
+    }
     for (const int id : others) {
         if (id == address)
             continue;
