@@ -5,7 +5,7 @@
 #include "app/console/target.h"
 #include "files/filebytes.h"
 #include "storage/trialjson.h"
-#include "tuning/feedforwardnote.h"
+#include "tuning/designnotes.h"
 #include "tuning/modelnumbers.h"
 
 #include <QJsonArray>
@@ -63,8 +63,10 @@ QJsonValue qualityToJson(const TuneReport &report)
 
 QJsonArray notesToJson(const TuneReport &report)
 {
-    const Message note = feedForwardNote(report);
-    return note.empty() ? QJsonArray() : QJsonArray{qt(note.english())};
+    QJsonArray notes;
+    for (const Message &note : designNotes(report))
+        notes.append(qt(note.english()));
+    return notes;
 }
 
 std::string briefly(const std::optional<double> &value, double scale, const char *unit)
@@ -135,7 +137,7 @@ void printGains(Output &out, const TuneReport &report)
         table.add({row.key, from, brief(row.number), std::to_string(row.raw)});
     }
     table.print(out);
-    if (const Message note = feedForwardNote(report); !note.empty())
+    for (const Message &note : designNotes(report))
         out.line(note.english());
     if (report.margins)
         out.line("margins: Ms " + brief(report.margins->ms) + ", gain " + brief(report.margins->gain) + ", phase "

@@ -7,6 +7,7 @@
 #include "experiment/guards.h"
 #include "experiment/motiontimes.h"
 #include "model/family.h"
+#include "model/trialtraits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,17 +64,22 @@ std::optional<double> travelOf(const ExperimentPlan &plan, const Stimulus &stimu
         + *atStart * secondsAtStart(endless, stimulus.length(), plan.repeat);
 }
 
-void announceDirection(
-    const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan, const Trial &trial)
+void announceDirection(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
+    const Envelope &envelope, double gone)
 {
     if (!isClosedLoop(plan.mode) || !surroundings.directions
         || surroundings.directions->find(device.selector(), plan.axis))
         return;
-    if (const double nudge = device.family().trials->nudge; nudge > 0.0)
-        surroundings.note(say("first its direction is checked: %1 counts up", nudge));
-    else
-        surroundings.note(say("first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most",
-            percentText(largestOfDirection(trial.envelope))));
+    const TrialTraits &traits = *device.family().trials;
+    const bool isSent = traits.nudge > 0.0;
+    Extent extent = extentOf(envelope);
+    extent.duty = isSent ? extent.duty : largestOfDirection(envelope);
+    extent.travel = isSent ? least(extent.travel, traits.nudgeTravel) : envelope.travel.value_or(0.0) + std::abs(gone);
+    if (const double gain = plan.announced.value_or(0.0); gain > 0.0)
+        extent.speed = least(extent.speed, gain * extent.duty);
+    surroundings.note(joined(isSent ? say("first its direction is checked: %1 counts up", traits.nudge)
+                                    : say("first its direction is checked: pushes of 0.3 s, until it turns"),
+        textOf(extent)));
 }
 
 } // namespace
@@ -104,7 +110,8 @@ Message textOf(const Extent &extent)
     const double travel = roundedUp(extent.travel.value_or(0.0)); // without a bound of it nothing moves
     return extent.speed ? say("at most %1 duty, %2 counts/s and %3 counts from where it stands",
                percentText(extent.duty), roundedUp(*extent.speed), travel)
-                        : say("at most %1 duty and %2 counts from where it stands", percentText(extent.duty), travel);
+                        : say("at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet",
+                            percentText(extent.duty), travel);
 }
 
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
@@ -115,7 +122,7 @@ void announce(const Device &device, const ExperimentSurroundings &surroundings, 
             say("the unit tells no current in ampere: the duty limit stands in for %1 A", *plan.limits.current));
     if (!surroundings.note)
         return;
-    announceDirection(device, surroundings, plan, trial);
+    announceDirection(device, surroundings, plan, trial.envelope, gone);
     const double lag = surroundings.directions ? surroundings.directions->lag(device.selector(), plan.axis) : 0.0;
     surroundings.note(textOf(extentOf(plan, trial, origin, plan.announced.value_or(0.0), lag, gone)));
 }

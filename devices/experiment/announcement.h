@@ -20,10 +20,10 @@ struct Extent {
 /// Of whatever stays within these bounds, where nothing more is known of it.
 [[nodiscard]] Extent extentOf(const Envelope &bounds);
 
-/// In a sentence, rounded up to two figures.
+/// In a sentence, rounded up to two figures; a speed that is not known is named, too.
 [[nodiscard]] Message textOf(const Extent &extent);
 
-/// Says it before the motor moves; the check of its direction, where that comes first, too, and a limit of current that was given and
+/// Says it before the motor moves; what the check of its direction may make of it, where that comes first, too, and a limit of current that was given and
 /// that nobody can hold.
 void announce(const Device &device, const ExperimentSurroundings &surroundings, const ExperimentPlan &plan,
     const Trial &trial, double origin, double gone);

@@ -9,7 +9,8 @@
 #include "report/modelfigures.h"
 #include "report/svgplot.h"
 #include "report/trialsection.h"
-#include "tuning/feedforwardnote.h"
+#include "tuning/designnotes.h"
+#include "tuning/uncertainty.h"
 
 #include <algorithm>
 #include <array>
@@ -32,6 +33,7 @@ constexpr double shortestShown = 0.2; ///< s
 const QString neutral = QStringLiteral("#171C22");
 const QString forwards = QStringLiteral("#1F8FD6");
 const QString backwards = QStringLiteral("#B0508C");
+const QString pale = QStringLiteral("#8A94A0");
 
 QString verdictHtml(const TuneReport &report)
 {
@@ -95,8 +97,10 @@ QString gainsHtml(const TuneReport &report, const ReportUnit &unit, const Report
         table.add({gainLabel(unit, row.key, whole), figure(from, 6), strong(figure(row.number, 6)),
             QString::number(row.raw)});
     }
-    const Message note = feedForwardNote(report, unit.family);
-    return table.html() + (note.empty() ? QString() : paragraph(escaped(worded(whole.phrase, note)), "dim"));
+    QString html = table.html();
+    for (const Message &note : designNotes(report, unit.family))
+        html += paragraph(escaped(worded(whole.phrase, note)), "dim");
+    return html;
 }
 
 QString proofHtml(const TuneReport &report)
@@ -130,6 +134,28 @@ Trace moved(const Trace &trace, double origin, double sign, double end)
     return result;
 }
 
+/// nullptr: what was proposed is none of them.
+const Proposal *chosenOf(const TuneReport &report)
+{
+    const auto found = std::ranges::find_if(
+        report.proposals, [&report](const Proposal &one) { return one.gains.made == report.proposed.made; });
+    return found == report.proposals.end() ? nullptr : &*found;
+}
+
+/// Where the step would lie with the model off by its ±; empty where nobody knows that.
+PredictionBand bandOf(const TuneReport &report, double seconds)
+{
+    const Proposal *const chosen = chosenOf(report);
+    const PlantErrors errors = errorsOf(report.motor);
+    if (!chosen || (errors.gain == 0.0 && errors.tau == 0.0 && errors.delay == 0.0))
+        return {};
+    const LoopShape &shape = chosen->predicted.shape;
+    const ContinuousGains &gains = chosen->gains.made;
+    const Prediction predicted = predictStep(report.loop, report.plant, gains, 0.0, chosen->step, seconds, shape);
+    return tuning::bandOf(
+        predicted, report.loop, report.plant, errors, gains, chosen->step, shape.mostDuty, shape.period);
+}
+
 /// What was predicted and, where it was proven, both directions over it.
 QString stepSvg(const TuneReport &report)
 {
@@ -149,6 +175,10 @@ QString stepSvg(const TuneReport &report)
     }
     pane.curves.push_back({ReportText::tr("predicted"), neutral, QStringLiteral("2,3"),
         moved(report.predicted->measured, 0.0, 1.0, end)});
+    const PredictionBand band = bandOf(report, end);
+    pane.curves.push_back({ReportText::tr("band: ± of the model"), pale, QStringLiteral("1,3"), band.low});
+    pane.curves.push_back({{}, pale, QStringLiteral("1,3"), band.high});
+    std::erase_if(pane.curves, [](const SvgCurve &curve) { return curve.trace.isEmpty(); });
     SvgPlot plot;
     plot.label = ReportText::tr("s since the edge");
     plot.mark = report.simulated ? QStringLiteral("DEMO") : QString();
@@ -192,21 +222,28 @@ QString figureBlock(const QString &svg)
     return svg.isEmpty() ? QString() : QStringLiteral("<div>") + svg + QStringLiteral("</div>\n");
 }
 
-QString chosenWords(const TuneReport &report, const Report &whole)
+/// Side by side, the chosen one strong.
+QString proposalsHtml(const TuneReport &report, const Report &whole)
 {
+    if (report.proposals.empty())
+        return {};
+    HtmlTable table(QStringLiteral("lrrrrrl"),
+        {ReportText::tr("Proposal"), ReportText::tr("Response"), metricWords("rise").name, metricWords("settle").name,
+            metricWords("overshoot").name, QStringLiteral("Ms"), ReportText::tr("Bounded by")});
     for (const Proposal &proposal : report.proposals) {
-        if (proposal.gains.made != report.proposed.made)
-            continue;
-        QString text = ReportText::tr("Response of the closed loop: %1")
-                           .arg(figure(1e3 * proposal.design.response, 3, QStringLiteral("ms")));
+        const Metrics &metrics = proposal.predicted.metrics;
         QStringList bounds;
         for (const std::string_view bound : proposal.design.bounds)
             bounds << worded(whole.phrase, Message::label(bound));
-        if (!bounds.isEmpty())
-            text += QStringLiteral(" · ") + ReportText::tr("bounded by %1").arg(bounds.join(QStringLiteral(", ")));
-        return text;
+        QStringList cells{worded(whole.phrase, Message::label(toString(proposal.aim))),
+            figure(1e3 * proposal.design.response, 3, QStringLiteral("ms")), metricText("rise", metrics.rise),
+            metricText("settle", metrics.settle), metricText("overshoot", metrics.overshoot),
+            figure(proposal.margins.ms, 3), bounds.join(QStringLiteral(", "))};
+        for (QString &cell : cells)
+            cell = &proposal == chosenOf(report) ? strong(escaped(cell)) : escaped(cell);
+        table.add(cells);
     }
-    return {};
+    return table.html();
 }
 
 } // namespace
@@ -234,9 +271,7 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
     if (report.plant.gain > 0.0)
         html += beside(modelHtml(report, whole), proofHtml(report));
     html += figureBlock(stepSvg(report));
-    html += gainsHtml(report, unit, whole);
-    if (const QString chosen = chosenWords(report, whole); !chosen.isEmpty())
-        html += paragraph(escaped(chosen), "dim");
+    html += gainsHtml(report, unit, whole) + proposalsHtml(report, whole);
     return html + figureBlock(bodeSvg(report)) + gatesHtml(report, whole);
 }
 

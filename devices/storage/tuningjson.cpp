@@ -153,8 +153,16 @@ template <>
 const JsonFields<Design> jsonFields<Design>{{"gains", &Design::gains}, {"response", &Design::response},
     {"bounds", [](const Design &design) { return toJson(design.bounds); }, readBounds}};
 template <>
-const JsonFields<Prediction> jsonFields<Prediction>{
-    {"metrics", &Prediction::metrics}, curve("measured", &Prediction::measured), curve("duty", &Prediction::duty)};
+const JsonFields<LoopShape> jsonFields<LoopShape> = numbers<LoopShape>(
+    {{"period", &LoopShape::period}, {"most_duty", &LoopShape::mostDuty}, {"window", &LoopShape::window},
+        {"window_counts", &LoopShape::windowCounts}, {"integral_step", &LoopShape::integralStep},
+        {"integral_most", &LoopShape::integralMost}, {"output_step", &LoopShape::outputStep},
+        {"least_output", &LoopShape::leastOutput}, {"good_enough", &LoopShape::goodEnough},
+        {"clock", &LoopShape::clock}, {"set_point_rate", &LoopShape::setPointRate}, {"winding", &LoopShape::winding}},
+    {{"counted", &LoopShape::isCounted}});
+template <>
+const JsonFields<Prediction> jsonFields<Prediction>{{"metrics", &Prediction::metrics}, {"shape", &Prediction::shape},
+    curve("measured", &Prediction::measured), curve("duty", &Prediction::duty)};
 template <>
 const JsonFields<Proposal> jsonFields<Proposal>{{"aim", &Proposal::aim, {Aim::Calm, Aim::Normal, Aim::Brisk}},
     {"design", &Proposal::design}, {"gains", &Proposal::gains}, {"margins", &Proposal::margins},

@@ -110,8 +110,6 @@ Result<void> addGain(const Family &family, ParameterIndex index, double number, 
         return fail(Fault::OutOfRange,
             say("%1 would be %2 of its smallest steps, too few to mean anything", key, into.rows.back().raw),
             say("take a finer encoder or a calmer loop"));
-    if (number != 0.0 && steps < leastGainSteps)
-        into.coarse.push_back(key);
     return {};
 }
 

@@ -24,7 +24,6 @@ struct ScaledGains {
     std::vector<Row> rows;
     std::vector<ParameterChange> changes; ///< the same
     ContinuousGains made;                 ///< what they make after rounding: predict with these
-    std::vector<std::string> coarse;      ///< keys with fewer than 50 steps: 2 % are one step
 };
 
 /// What raw gains of a loop make, found by trying them against each other where its arithmetic tells no duty (twopointfit.h).

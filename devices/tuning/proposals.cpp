@@ -28,10 +28,11 @@ constexpr double clearCurrent = 1.5;      ///< A, or this much
 constexpr double currentOfLimit = 0.3;    ///< of stall and limit, at most
 constexpr double currentPrediction = 0.2; ///< s
 constexpr double longestShown = 30.0;     ///< s
-constexpr int smallerSteps = 4;
+constexpr int smallerSteps = 32;
+constexpr double vanishedStep = 1.0;      ///< that is none any more
 constexpr double overshootOfDoubt = 0.02; ///< more than of the model itself, as the search allows
 constexpr double lessForRounding = 0.995; ///< where rounding has taken a margin
-constexpr int mostRoundings = 10;
+constexpr int mostRoundings = 40;
 constexpr double clearSteps = 12.0; ///< of a gain: fewer than ten mean nothing
 constexpr double alikeSteps = 0.01; ///< of the step
 
@@ -137,12 +138,12 @@ double usualStep(const ProposalBasis &basis, const ContinuousGains &gains)
 }
 
 /// By the rule alone.
-Design ruleFor(const ProposalBasis &basis, const ProposalWish &wish)
+Design ruleFor(const ProposalBasis &basis, const ProposalWish &wish, const LoopBounds &bounds)
 {
     const MsBounds ms = msBoundsOf(wish);
     const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, basis.plant));
-    return design(basis.loop, basis.plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
-        boundsOf(basis), ms.model, ms.off);
+    return design(basis.loop, basis.plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0), bounds,
+        ms.model, ms.off);
 }
 
 } // namespace
@@ -174,8 +175,23 @@ std::optional<ProfileLimits> profileOf(const ProposalBasis &basis)
     return profileLimits(basis.plant, basis.envelope.duty.value_or(1.0));
 }
 
-/// Parameters, margins and prediction of designed gains; a step that would draw more than its limit is made smaller. `step` 0: the
-/// usual one.
+/// Less of all gains until those that the device stores have their margin: rounding makes more of some.
+Result<void> lessenForRounding(const ProposalBasis &basis, const PlantModel &plant, const MsBounds &ms, Design &design)
+{
+    for (int i = 0; i < mostRoundings; ++i) {
+        MB_TRY(const auto rounded, parametersOf(basis, design));
+        if (hasMargin(basis.loop, plant, rounded.made, ms.model, ms.off))
+            return {};
+        for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
+            design.gains.*gain *= lessForRounding;
+    }
+    return fail(Fault::OutOfRange,
+        say("no gains as the device stores them keep a largest sensitivity of %1 in this loop", ms.model),
+        say("take a finer encoder or a calmer loop"));
+}
+
+/// Parameters, margins and prediction of designed gains; a step that would draw more than its limit is made smaller. A current loop makes
+/// the step of its own plant.
 Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
 {
     const PlantModel &plant = basis.plant;
@@ -185,48 +201,49 @@ Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
     const LoopShape shape = shapeOf(basis);
     proposal.margins = marginsOf(basis.loop, plant, gains);
     proposal.profile = profileOf(basis);
-    proposal.step = step > 0.0 && basis.loop != Mode::Current ? step : usualStep(basis, gains);
+    proposal.step = basis.loop == Mode::Current ? usualStep(basis, gains) : step;
     const double seconds = secondsOfPrediction(basis);
-    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
     const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
-    for (int i = 0; i < smallerSteps && proposal.predicted.metrics.peakCurrent.value_or(0.0) > most; ++i) {
-        proposal.step = std::round(0.98 * proposal.step * most / *proposal.predicted.metrics.peakCurrent);
+    const double breaksLoose = plant.stallCurrent * plant.friction; // A: with less it stands
+    for (int i = 0; i < smallerSteps && breaksLoose < most; ++i) {
         proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
+        const double peak = proposal.predicted.metrics.peakCurrent.value_or(0.0);
+        if (peak <= most)
+            return {};
+        proposal.step = std::round(0.98 * proposal.step * most / peak);
+        if (proposal.step < vanishedStep)
+            break;
     }
-    return {};
+    return fail(Fault::OutOfRange, say("any step of these gains draws more than the %1 A that are allowed", most),
+        say("allow more current or aim for a calmer loop"));
 }
 
 } // namespace
 
 Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish)
 {
-    const Family &family = basis.family;
     const PlantModel &plant = basis.plant;
     const MsBounds ms = msBoundsOf(wish);
     Proposal proposal;
     proposal.aim = wish.aim;
+    proposal.design = ruleFor(basis, wish, boundsOf(basis));
     SearchTask task{boundsOf(basis), ms.model, ms.off, wish.step, overshootOf(basis.loop, wish), wish.aim == Aim::Calm,
-        inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
-    proposal.design = ruleFor(basis, wish);
+        inSeconds(basis.family.capabilities.commandPeriod), {}, shapeOf(basis)};
+    if (task.step == 0.0)
+        task.step = usualStep(basis, proposal.design.gains);
+    task.bounds.largestError = task.step;
     const bool rules = wish.response || wish.ms || (basis.loop == Mode::Current && wish.aim == Aim::Calm);
     if (!rules) {
-        if (task.step == 0.0)
-            task.step = usualStep(basis, proposal.design.gains);
-        task.bounds.largestError = task.step;
         task.least = leastOf(basis, proposal.design.gains);
         task.isProven = wish.isProven;
         task.steepest = wish.steepest;
         task.quickest = basis.scale ? basis.scale->quickest : 0.0;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
+    if (!isWithin(proposal.design.gains, task.bounds)) // nobody knew its step yet
+        proposal.design = ruleFor(basis, wish, task.bounds);
+    MB_TRY_VOID(lessenForRounding(basis, atLeastAsSteep(plant, wish.steepest), ms, proposal.design));
     MB_TRY_VOID(finish(basis, task.step, proposal));
-    const PlantModel steep = atLeastAsSteep(plant, wish.steepest);
-    for (int i = 0; i < mostRoundings && !hasMargin(basis.loop, steep, proposal.gains.made, ms.model, ms.off); ++i) {
-        ContinuousGains &gains = proposal.design.gains; // rounding has made more of them
-        for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d})
-            gains.*gain *= lessForRounding;
-        MB_TRY_VOID(finish(basis, task.step, proposal));
-    }
     return proposal;
 }
 
@@ -282,7 +299,8 @@ double promisedError(const ProposalBasis &basis, const ContinuousGains &gains, c
 
 Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal)
 {
-    MB_TRY_VOID(finish(basis, usualStep(basis, ruleFor(basis, {proposal.aim, {}, {}}).gains), proposal));
+    const Design rule = ruleFor(basis, {proposal.aim, {}, {}}, boundsOf(basis));
+    MB_TRY_VOID(finish(basis, usualStep(basis, rule.gains), proposal));
     return proposal;
 }
 

@@ -27,7 +27,7 @@ struct ExactCycle {
 [[nodiscard]] ExactCycle exactCycle(
     double gain, double duty, double friction, double tau, double half, double braking = 1.0);
 
-/// τ of the motor out of a measured cycle and a known gain, s; nothing where no τ up to 20 s explains it. Reads up to 16 % low
+/// τ of the motor out of a measured cycle and a known gain, s; nothing where no τ up to 20 s explains it. Reads up to 20 % low
 /// with a gear that loses 40 % of its torque, where nobody knows by how much more that brakes: safe for a proportional gain.
 [[nodiscard]] std::optional<double> tauFromRelay(
     const RelayCycle &cycle, double gain, double duty, double friction, double braking = 1.0);

@@ -216,9 +216,32 @@ TEST(Report, TellsFlagsAndWhatBoundedAnAimInTheWordsOfTheReader)
     tuning.proposals.emplace_back().gains.made = tuning.proposed.made;
     tuning.proposals.front().design.bounds = {"margin"};
     const QString html = htmlOf(report);
-    for (const char *word : {"[did not move]", "[of a newer version]", "bounded by [margin]"})
+    for (const char *word : {"[did not move]", "[of a newer version]", "[margin]"})
         EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
     EXPECT_FALSE(html.contains(QStringLiteral("[stopped]"))) << "its ending says so";
+}
+
+TEST(Report, HasTheThreeProposalsAndTheBandOfTheOneThatWasChosen)
+{
+    Report report = reportOf(true);
+    TuneReport &tuning = report.units.front().tunings.front().report;
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
+        Proposal &proposal = tuning.proposals.emplace_back();
+        proposal.aim = aim;
+        proposal.design.response = 0.4 - 0.1 * static_cast<double>(aim);
+        proposal.margins.ms = 1.25;
+        proposal.step = 30'000.0;
+        proposal.gains.made = {(1.0 + static_cast<double>(aim)) * 5e-6, 6e-5, 0.0, 0.0};
+    }
+    tuning.motor->pushes.tauError = 0.01;
+    tuning.proposed.rows.push_back({"slot0.i", 41, 0.0006});
+    const QString html = htmlOf(report);
+    for (const char *word :
+        {">calm<", ">400\u00a0ms<", ">normal</b>", ">300\u00a0ms</b>", ">brisk<", ">200\u00a0ms<", ">1.25<",
+            "band: ± of the model", "slot0.i is 41 of its smallest steps, fewer than 50: one of them is 2.4 %"})
+        EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
+    tuning.motor.emplace(); // swung or tried: it has no ±
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("band:")));
 }
 
 TEST(Report, DoesNotCallPutBackWhatIsStillInForce)

@@ -144,11 +144,15 @@ inline KeptTuning velocityTuning()
     report.proposed.rows = {{"slot0.p", 38083, 0.5811}, {"slot0.i", 12, 0.00018}, {"slot0.f", 0, 0.0}};
     report.proposed.made = {1e-5, 6e-5, 0.0, 0.0};
     Proposal calm;
+    calm.aim = Aim::Calm;
     calm.design.response = 0.9;
     Proposal normal;
     normal.gains.made = report.proposed.made;
     normal.design.response = 0.183;
     normal.design.bounds = {"delay", "margin"};
+    normal.step = 30'000.0;
+    normal.margins.ms = 1.44;
+    normal.predicted = predictStep(Mode::Velocity, report.plant, normal.gains.made, 0.0, normal.step, 1.0, 1.0, 0.02);
     report.proposals = {calm, normal};
     report.before = {{"slot0.p", 1.165}, {"slot0.i", std::nullopt}};
     report.margins = Margins{1.44, 3.9, 67.0, 4.0};

@@ -69,6 +69,8 @@ protected:
         normal.gains.made = {1e-5, 2e-4, 0.0, 0.0};
         normal.margins = {1.44, std::numeric_limits<double>::infinity(), 67.0, 4.0};
         normal.predicted = prediction(5000);
+        normal.predicted.shape.window = 0.1;
+        normal.predicted.shape.isCounted = true;
         normal.step = 30'000.0;
         normal.profile = ProfileLimits{82'000.0, 490'000.0};
         report.proposals = {normal};
@@ -119,6 +121,8 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_TRUE(back.simulated);
     EXPECT_EQ(back.evidence, kept.evidence);
     EXPECT_EQ(back.plant, kept.plant);
+    EXPECT_EQ(back.predicted->shape.window, 0.1);
+    EXPECT_TRUE(back.predicted->shape.isCounted);
     EXPECT_EQ(back.scale, kept.scale);
     ASSERT_TRUE(back.motor && back.motor->filter);
     EXPECT_EQ(back.motor->filter->kind, VelocityFilter::Kind::Block);

@@ -119,8 +119,10 @@ TEST(Announcement, TheCheckOfTheDirectionIsToldWhereItComesFirst)
     expectAnnounced(bench, Mode::Position, 1);
     ASSERT_FALSE(bench.notes.empty());
     const auto checked = std::find_if(bench.notes.begin(), bench.notes.end(),
-        [](const std::string &note) { return note == "first its direction is checked: 20 counts up"; });
-    EXPECT_NE(checked, bench.notes.end());
+        [](const std::string &note) { return note.starts_with("first its direction is checked: 20 counts up; "); });
+    ASSERT_NE(checked, bench.notes.end());
+    EXPECT_NE(checked->find("at most 100 % duty"), std::string::npos) << *checked;
+    EXPECT_NE(checked->find("60 counts from where it stands"), std::string::npos) << *checked;
 }
 
 /// One by hand or of a battery, of whose motor nobody has told anything.
@@ -134,9 +136,13 @@ TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
     ASSERT_EQ(told.size(), 1U);
     EXPECT_LE(fastest(trial->signal("position")->trace), told.front().speed.value_or(0.0));
     EXPECT_LE(farthest(trial->signal("position")->trace), told.front().travel);
-    EXPECT_TRUE(std::any_of(bench.notes.begin(), bench.notes.end(), [](const std::string &note) {
-        return note.starts_with("first its direction is checked: pushes of 0.3 s, until it turns");
-    }));
+    const auto checked = std::find_if(bench.notes.begin(), bench.notes.end(), [](const std::string &note) {
+        return note.starts_with("first its direction is checked: pushes of 0.3 s, until it turns; at most ");
+    });
+    ASSERT_NE(checked, bench.notes.end());
+    EXPECT_TRUE(checked->find("counts/s and ") != std::string::npos || checked->ends_with("nobody knows yet"))
+        << *checked;
+    EXPECT_NE(checked->find("counts from where it stands"), std::string::npos) << *checked;
 }
 
 TEST(Announcement, OfAStepBetweenTwoSpeedsCountsWhatItGoesAtTheFirst)
@@ -216,6 +222,8 @@ TEST(Announcement, WhatNobodyKnowsIsBoundedByTheLimits)
     EXPECT_DOUBLE_EQ(unknown.duty, 0.4);
     EXPECT_FALSE(unknown.speed);
     EXPECT_DOUBLE_EQ(unknown.travel.value_or(0.0), 5000.0);
+    EXPECT_EQ(textOf(unknown).english(),
+        "at most 40 % duty and 5000 counts from where it stands, at a speed that nobody knows yet");
     const Extent known = extentOf(plan, trial, 0.0, 1000.0);
     EXPECT_DOUBLE_EQ(known.speed.value_or(0.0), 400.0);
     EXPECT_DOUBLE_EQ(known.travel.value_or(0.0), 1000.0); // it rolls on by a quarter

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <numbers>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -28,61 +27,6 @@ using test::planOf;
 using test::print;
 using test::rawOf;
 using test::tune;
-
-TEST(Acceptance, A08_GoldenVelocityAndPositionGainsOfADmc60c)
-{
-    ExperimentBench bench;
-    const double perRadian = 4096.0 / (2.0 * std::numbers::pi);
-    const auto velocity = scaleGains(
-        *bench.device, Mode::Velocity, 1, 0, {0.002 / perRadian, 0.01 / perRadian, 0.0, 0.0018 / perRadian});
-    ASSERT_TRUE(velocity) << velocity.error().text();
-    const auto raw = [](const ScaledGains &gains, std::string_view key) {
-        for (const ScaledGains::Row &row : gains.rows) {
-            if (row.key == key)
-                return row.raw;
-        }
-        return std::int64_t(-1);
-    };
-    EXPECT_EQ(raw(*velocity, "slot0.p"), 65882);
-    EXPECT_EQ(raw(*velocity, "slot0.i"), 165);
-    EXPECT_EQ(raw(*velocity, "slot0.f"), 59294);
-    const auto position
-        = scaleGains(*bench.device, Mode::Position, 1, 1, {0.1 / perRadian, 0.5 / perRadian, 0.01 / perRadian, 0.0});
-    ASSERT_TRUE(position);
-    EXPECT_EQ(raw(*position, "slot1.p"), 329410);
-    EXPECT_EQ(raw(*position, "slot1.i"), 824);
-    EXPECT_EQ(raw(*position, "slot1.d"), 65881963);
-    EXPECT_NEAR(position->made.d, 0.01 / perRadian, 1e-10);
-    std::printf("A8 velocity P %lld I %lld F %lld, position P %lld I %lld D %lld: as in the golden vectors\n",
-        static_cast<long long>(raw(*velocity, "slot0.p")), static_cast<long long>(raw(*velocity, "slot0.i")),
-        static_cast<long long>(raw(*velocity, "slot0.f")), static_cast<long long>(raw(*position, "slot1.p")),
-        static_cast<long long>(raw(*position, "slot1.i")), static_cast<long long>(raw(*position, "slot1.d")));
-}
-
-TEST(Acceptance, A12_TheDerivativeOfAnAbstractDcIsSentTheOtherWayRound)
-{
-    ExperimentBench bench("sim:can", "abstractdc", 3);
-    const auto gains = scaleGains(*bench.device, Mode::Position, 1, 0, {0.8 / 255.0, 4.0 / 255.0, 0.02 / 255.0, 0.0});
-    ASSERT_TRUE(gains) << gains.error().text();
-    for (const ScaledGains::Row &row : gains->rows) {
-        if (row.key == "position.d") {
-            EXPECT_LT(row.raw, 0);
-        }
-        if (row.key == "position.p") {
-            EXPECT_GT(row.raw, 50);
-        }
-    }
-    EXPECT_NEAR(gains->made.d, 0.02 / 255.0, 1e-8);
-    EXPECT_NEAR(gains->made.i, 4.0 / 255.0, 1e-6);
-}
-
-TEST(GainScale, RefusesAGainOfTooFewSteps)
-{
-    ExperimentBench bench;
-    const auto gains = scaleGains(*bench.device, Mode::Velocity, 1, 0, {1e-10, 0.0, 0.0, 0.0});
-    ASSERT_FALSE(gains);
-    EXPECT_EQ(gains.error().fault, Fault::OutOfRange);
-}
 
 TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
 {

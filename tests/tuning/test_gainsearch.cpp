@@ -305,30 +305,5 @@ TEST(Autotune, ThePeakCurrentIsPredictedAndMeasured)
     EXPECT_LE(*report->predicted->metrics.peakCurrent, *report->proof.front().envelope.current);
 }
 
-TEST(Proposals, AStepDrawsNoMoreThanTheLimitAllows)
-{
-    const ExperimentBench bench;
-    Envelope envelope;
-    envelope.duty = 1.0;
-    envelope.speed = 1'500'000.0;
-    envelope.travel = 2e7;
-    PlantModel plant{367'000.0, 0.2, 0.052, 0.018, 1.34, 125.0, 2.7e-6};
-    const VelocityTaking taking{0.1, 0.05, 0.0};
-    const auto proposed = [&] {
-        return proposalFor({bench.device->family(), bench.device->knowledge().profile(), Mode::Velocity, 1, 0, plant,
-                               envelope, {}, taking},
-            {});
-    };
-    const auto free = proposed();
-    ASSERT_TRUE(free && free->predicted.metrics.peakCurrent);
-    envelope.current = 0.5 * *free->predicted.metrics.peakCurrent;
-    const auto held = proposed();
-    ASSERT_TRUE(held && held->predicted.metrics.peakCurrent);
-    EXPECT_LE(*held->predicted.metrics.peakCurrent, *envelope.current);
-    EXPECT_LT(held->step, free->step);
-    plant.stallCurrent = 0.0; // nobody knows
-    EXPECT_FALSE(proposed()->predicted.metrics.peakCurrent);
-}
-
 } // namespace
 } // namespace mb::tuning

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/scope.h"
 #include "experiment/envelope.h"
-#include "experiment/gains.h"
-#include "model/loopparameters.h"
 #include "support/heldbackground.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/frequencyresponse.h"
-#include "tuning/margins.h"
 #include "tuning/proposals.h"
 #include "tuning/uncertainty.h"
 
@@ -15,7 +12,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <tuple>
 
 namespace mb::tuning {
 namespace {
@@ -80,49 +76,6 @@ TEST(Proposals, WithinOtherLimitsMakeTheStepOfOnesThatAreFoundThere)
         narrow.envelope.travel = 1.001 * *wide.envelope.travel;
         EXPECT_TRUE(isAlikeWithin(wide.envelope, narrow, found->gains.made));
     }
-}
-
-/// Of what ships: searched, rounded to the device's steps, at 400 points a decade.
-TEST(Acceptance, A09_ProposalsKeepTheirMarginsAsTheDeviceStoresThem)
-{
-    struct Bounds {
-        Aim aim;
-        double ms, off;
-    };
-    int checked = 0;
-    for (const auto &[family, address] : {std::pair("dmc60c", 5), std::pair("abstractdc", 3)}) {
-        const ExperimentBench bench("sim:can", family, address);
-        for (const Bounds &bounds :
-            {Bounds{Aim::Calm, 1.6, 1.9}, Bounds{Aim::Normal, 1.6, 1.9}, Bounds{Aim::Brisk, 1.7, 2.3}}) {
-            double worst = 0.0;
-            double worstOff = 0.0;
-            for (const Mode loop : {Mode::Velocity, Mode::Position}) {
-                for (const PlantModel &plant : {PlantModel{367'000.0, 0.168, 0.052, 0.018, 1.2}, slow,
-                         PlantModel{8620.0, 0.1066, 0.0134, 0.0759, 2.2}, PlantModel{362'000.0, 0.019, 0.03, 0.02}}) {
-                    ProposalBasis basis = basisOf(bench, loop);
-                    basis.plant = plant;
-                    if (loop == Mode::Position)
-                        basis.plant.delay = std::min(plant.delay, 0.03);
-                    const auto proposal = proposalFor(basis, {bounds.aim, {}, {}});
-                    if (!proposal)
-                        continue; // it has too few steps for such a motor
-                    ++checked;
-                    PlantModel off = basis.plant;
-                    off.gain *= 1.2;
-                    off.delay *= 1.3;
-                    const double ms = marginsOf(loop, basis.plant, proposal->gains.made, 400).ms;
-                    const double msOff = marginsOf(loop, off, proposal->gains.made, 400).ms;
-                    EXPECT_LE(ms, bounds.ms) << family << ' ' << toString(loop) << ' ' << toString(bounds.aim);
-                    EXPECT_LE(msOff, bounds.off) << family << ' ' << toString(loop) << ' ' << toString(bounds.aim);
-                    worst = std::max(worst, ms);
-                    worstOff = std::max(worstOff, msOff);
-                }
-            }
-            std::printf("A9 %s, proposed %s: Ms %.4f, %.4f where the model is off\n", family,
-                std::string(toString(bounds.aim)).c_str(), worst, worstOff);
-        }
-    }
-    EXPECT_GE(checked, 40);
 }
 
 TEST(Proposals, TheSlidersAreFollowedUntilABoundHoldsThemAndSaysSo)
@@ -251,31 +204,6 @@ KnownGains numbersOf(const ScaledGains &gains)
     for (const ScaledGains::Row &row : gains.rows)
         numbers.emplace_back(row.key, row.number);
     return numbers;
-}
-
-TEST(FormerGains, AreReadBackAsWhatTheyWereRoundedTo)
-{
-    for (const auto &[family, number, gains] : {std::tuple("dmc60c", 7, ContinuousGains{1e-4, 2e-4, 3e-6, 1e-6}),
-             std::tuple("abstractdc", 3, ContinuousGains{2e-3, 1e-3, 1e-4, 0.0})}) {
-        const ExperimentBench bench("sim:can", family, number);
-        const ProposalBasis basis = basisOf(bench, Mode::Position);
-        const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, 1, 0, gains);
-        ASSERT_TRUE(scaled) << scaled.error().text();
-        KnownGains numbers = numbersOf(*scaled);
-        for (const std::string_view name : loopOf(basis.family, basis.loop)->names) { // what a slot has beside them
-            const std::string key = gainKey(
-                basis.family, std::string(loopOf(basis.family, basis.loop)->prefix) + std::string(name), 1, 0);
-            if (std::none_of(numbers.begin(), numbers.end(), [&](const auto &known) { return known.first == key; }))
-                numbers.emplace_back(key, 0.0);
-        }
-        const auto made = gainsMadeBy(basis.family, basis.profile, basis.loop, 1, 0, numbers);
-        ASSERT_TRUE(made) << family;
-        EXPECT_NEAR(made->made.p, scaled->made.p, 1e-9 * scaled->made.p) << family;
-        EXPECT_NEAR(made->made.i, scaled->made.i, 1e-9 * scaled->made.i) << family;
-        EXPECT_NEAR(made->made.d, scaled->made.d, 1e-9 * scaled->made.d) << family;
-        numbers.front().second.reset();
-        EXPECT_FALSE(gainsMadeBy(basis.family, basis.profile, basis.loop, 1, 0, numbers)) << "one is not known";
-    }
 }
 
 TEST(FormerGains, AreTriedWithinTheBoundsOfAProposalOnly)

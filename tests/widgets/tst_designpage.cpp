@@ -172,6 +172,14 @@ void TestDesignPage::whatHoldsTheSlidersBackIsSaid()
     QVERIFY2(bench.own()->boundText().isEmpty(), qPrintable(bench.own()->boundText()));
     bench.page->chooseOwn(0.005, 1.3);
     QVERIFY2(bench.own()->boundText().contains(QStringLiteral("margin")), qPrintable(bench.own()->boundText()));
+    DesignBench quick;
+    quick.arm();
+    quick.page->identify();
+    auto prompt = identified();
+    prompt.plant = {350'000.0, 0.39, 0.0055, 0.02};
+    quick.finish(prompt);
+    quick.page->chooseOwn(0.005, 2.0);
+    QVERIFY2(quick.own()->boundText().contains(QStringLiteral("largest error")), qPrintable(quick.own()->boundText()));
 }
 
 void TestDesignPage::anotherSlotHasTheSameProposalsUnderItsOwnKeys()
