@@ -37,7 +37,6 @@ const std::vector<Strike> anywhere{
     {"power", "link", 5}, {"cable", "link", 5}, {"user", "interrupted", 4}, {"full disk", "", 1, "the disk is full"}};
 const std::vector<Strike> ofTheMotor{{"encoder-dead", "no motion", 4}, {"stall", "no motion", 4}};
 const Strike master{"master", "foreign master", 4};
-const Strike limitSwitch{"forward-limit", "no motion", 4, "a limit switch was met"};
 
 struct Case {
     Cell cell;
@@ -68,14 +67,18 @@ std::vector<Case> cases()
             cellWith("quadquad2drv", Mode::Velocity), cellWith("quadquad2drv", Mode::Position),
             cellWith("supermodified", Mode::Position, "D1"), cellWith("supermodified", Mode::Position, "D3")}) {
         const auto add = [&](const Strike &strike) { all.push_back({cell, strike}); };
-        std::ranges::for_each(anywhere, add);
+        for (const Strike &strike : anywhere) {
+            const bool isShort
+                = cell.loop == Mode::Current && strike.status == 1; // its first step holds no model as rough as this
+            const bool isWhole = cell.family == "quadquad2drv" && strike.what == "cable"; // its wire loses nothing
+            if (!isShort && !isWhole)
+                add(strike);
+        }
         if (cell.family != "quadquad2drv") // whose wire has one master
             add(master);
         if (cell.loop == Mode::Current)
             continue;
         std::ranges::for_each(ofTheMotor, add);
-        if (cell.family == "dmc60c")
-            add(limitSwitch);
     }
     return all;
 }
@@ -88,8 +91,7 @@ struct Proven {
         : loop(cell.loop)
         , unit(cell)
     {
-        for (const LoopGains &gains : unit.device().family().trials->loops)
-            writeOnce(gains);
+        writeOnce(*loopOf(unit.device().family(), loop));
         before = unit.gainsInUnit();
         plan.loop = loop;
         plan.known = groundTruth(cell, 1000.0);
@@ -142,6 +144,7 @@ struct Proven {
         unit.setLoss(0.0);
         unit.simulator().setPowered(true);
         unit.journal().isFull = false;
+        unit.device().stop(); // which is owed to a unit that did not hear it
         unit.clock().advance(3s);
         EXPECT_TRUE(run(unit.clock(), unit.device().refresh()));
         const auto owed = run(unit.clock(), tuning::lookForOwed(unit.device(), unit.journal()));
