@@ -2,6 +2,7 @@
 // What an experiment owes to a unit: to a real one that stores by itself, later, a DMC60C on a CAN interface; and when it may be paid. In
 // virtual time.
 #include "model/bench.h"
+#include "support/unitgains.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/realunit.h"
 #include "transport/canlink.h"
@@ -159,7 +160,8 @@ TEST(OwedGains, ArePutBackInEveryFamilyWhoseMotorStands)
         ASSERT_TRUE(run(bench.clock, device.write(*index, 7)));
         const auto paid = run(bench.clock, payOwed(device, journal, {1, 0.0, {{key, 9, 7}}}));
         EXPECT_TRUE(paid) << family << ": " << (paid ? "" : paid.error().text());
-        EXPECT_EQ(device.parameters().entry(*index).raw, 9) << family;
+        const Simulator &unit = *bench.simulator(family + ':' + std::to_string(device.identity().address));
+        EXPECT_EQ(test::rawInUnit(bench.clock, device, unit, key), 9) << family;
     }
 }
 

@@ -2,6 +2,7 @@
 // What a tuning tells beside the model: rest and latency, one way and the other, what set-points may ask for.
 #include "simulation/motorparameters.h"
 #include "tests/tuning/tuningbench.h"
+#include "tuning/autotunerun.h"
 #include "tuning/crosscheck.h"
 #include "tuning/identification.h"
 #include "tuning/proposals.h"
@@ -11,7 +12,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <random>
+#include <string_view>
 
 namespace mb::tuning {
 namespace {
@@ -50,6 +53,49 @@ std::vector<Trial> pushes(double late, double noise)
     for (const double duty : {0.4, -0.4, 0.24, -0.24})
         all.push_back(pushed(duty, late, noise, seed++));
     return all;
+}
+
+/// What is wrong, and what of the refusal names it.
+struct WrongPush {
+    std::string_view gate;
+    std::string_view says;
+    std::function<void(MotorFound &, Trial &)> spoil;
+};
+
+TEST(Gates, OfThePushesFailEachByItselfAndTheRefusalSaysWhich)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    const std::vector<WrongPush> all{{"fit", "residual 3.01 of what counts and clocks explain, at most 3",
+                                         [](MotorFound &found, Trial &) { found.pushes.cost = 3.01; }},
+        {"friction", "friction takes 15 % duty of pushes of 20 %",
+            [](MotorFound &found, Trial &) { found.line.friction = 0.15; }},
+        {"asymmetric load", "the two directions differ by 12 %, at most 10 %",
+            [](MotorFound &found, Trial &) { found.line.forward = 1.128 * found.line.reverse; }},
+        {"current limit", "the current limit cut into the pushes",
+            [](MotorFound &, Trial &push) { push.flags.emplace_back(flag::currentLimit); }},
+        {"current limit", "the current limit cut into the pushes", [](MotorFound &, Trial &push) {
+             push.envelope.current = 10.0;
+             push.metrics.peakCurrent = 9.9;
+         }}};
+    for (const auto &[gate, says, spoil] : all) {
+        MotorFound found;
+        found.pushes.cost = 1.0;
+        found.line = {50'000.0, 0.03, 0.0, 0.0, 0.0, 0.0, 50'000.0, 50'000.0};
+        std::vector<Trial> trials(2);
+        for (Trial &push : trials)
+            push.stimulus.to = 0.2;
+        for (const Gate &good : gatesOf(found, trials))
+            EXPECT_TRUE(good.passed) << good.name;
+        spoil(found, trials.back());
+        AutotuneRun run(
+            *bench.device, bench.bench.session.stream(*bench.device), planOf(Mode::Velocity), bench.surroundings);
+        const auto taken = run.take({found, {50'000.0, 0.1, 0.02, 0.03}, gatesOf(found, trials), {}});
+        ASSERT_FALSE(taken) << gate;
+        EXPECT_EQ(taken.error().fault, Fault::Refused);
+        EXPECT_NE(taken.error().text().find(says), std::string::npos) << taken.error().text();
+        for (const Gate &one : run.report().gates)
+            EXPECT_EQ(one.passed, one.name != gate) << one.name;
+    }
 }
 
 TEST(Findings, NoiseAtRestAndTheTimeFromAnOrderToItsMotion)

@@ -5,8 +5,9 @@
 #include "families/abstractdc/simulatoroptions.h"
 #include "model/bench.h"
 #include "model/family.h"
+#include "support/unitgains.h"
+#include "tests/tuning/othermaster.h"
 #include "tests/tuning/tripconditions.h"
-#include "transport/canlink.h"
 
 #include <gtest/gtest.h>
 
@@ -104,15 +105,11 @@ struct Outcome {
     bool later = false; ///< at the next connection
 };
 
-/// Every gain that was tried has its value of before, in the unit where it can be read.
+/// Every gain that was tried has its value of before, in the unit itself.
 bool isPutBack(TripBench &bench, const std::vector<OwedValue> &before)
 {
     for (const OwedValue &value : before) {
-        const ParameterIndex index = bench.bench.index(*bench.device, value.key);
-        const bool readable = bench.device->parameters().parameter(index).access != Access::WriteOnly;
-        const auto now = readable ? run(bench.bench.clock, bench.device->read(index))
-                                  : Result<std::int64_t>(bench.device->parameters().entry(index).raw.value_or(-1));
-        if (!now || *now != value.raw)
+        if (rawInUnit(bench.bench.clock, *bench.device, *bench.simulator(), value.key) != value.raw)
             return false;
     }
     return !before.empty();
@@ -213,13 +210,10 @@ void takePower(TripBench &bench)
 }
 
 /// Another program commands the unit.
-void commandElsewhere(TripBench &bench)
+void commandByOther(TripBench &bench)
 {
     bench.other = bench.bench.session.bench(*bench.bench.link)->hostLink();
-    ASSERT_TRUE(bench.other->open());
-    const auto frame = canFrameFromText("02060005#0000000010270000");
-    ASSERT_TRUE(dynamic_cast<CanLink &>(*bench.other).send(*frame));
-    bench.bench.clock.advance(1ms);
+    commandElsewhere(*bench.other, bench.bench.clock, *bench.device);
 }
 
 std::vector<Scenario> ofDmc60c()
@@ -272,7 +266,7 @@ std::vector<Scenario> ofDmc60c()
         row("oscillation", "P far too high", harder(8.0), {}, swinging("velocity", 60'000.0)),
         row("link", "its supply is gone", {}, takePower, silent),
         row("link", "8 % of the frames are lost", {}, {}, losing),
-        row("foreign master", "another program commands it", {}, commandElsewhere, atOnce),
+        row("foreign master", "another program commands it", {}, commandByOther, atOnce),
         row(
             "interrupted", "STOP", {}, [](TripBench &bench) { bench.interruption.interrupt(); }, atOnce),
     };
@@ -309,8 +303,15 @@ std::vector<Scenario> ofTheOthers()
         add("link", "its supply is gone", {}, takePower, silent);
         add(
             "interrupted", "STOP", {}, [](TripBench &bench) { bench.interruption.interrupt(); }, atOnce);
-        if (unit.mode == Mode::Position)
+        if (unit.family != "quadquad2drv") // whose wire has one master
+            add("foreign master", "another program commands it", {}, commandByOther, atOnce);
+        if (unit.mode == Mode::Position) {
+            add("wrong direction", "cables swapped since the check", swapCables, {}, away);
+            rows.back().checked = true;
+            add("current", "the shaft is blocked", bounded(&Envelope::current, 1.0), struckBy("stall", 1.0),
+                overloaded(1.0));
             continue;
+        }
         add("speed", "a load turns it on", bounded(&Envelope::speed, unit.to), struckBy("load-torque", -0.5),
             above("velocity", 1.2 * unit.to));
         add("wrong direction", "cables swapped since the check", swapCables, {}, away);

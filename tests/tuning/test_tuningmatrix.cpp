@@ -289,11 +289,12 @@ struct Trouble {
     const char *reason;
 };
 
-/// Tunes with a trouble that begins after a while: ends with this word, and nothing is written.
-void expectEndsWith(const char *drive, const Trouble &trouble)
+/// Tunes with a trouble that begins after a while: ends with this word, and the unit has the gains that it had.
+void expectEndsWith(const std::string &drive, const Trouble &trouble, const std::string &dialect = "")
 {
-    MatrixUnit unit(cellOf(drive, "25d", Mode::Velocity, 1, 0.0));
-    const auto before = unit.gains();
+    const Mode loop = drive == "supermodified" ? Mode::Position : Mode::Velocity;
+    MatrixUnit unit(cellOf(drive, "25d", loop, 1, 0.0, dialect));
+    const auto before = unit.gainsInUnit();
     Timer strikes(unit.clock());
     strikes.startIn(trouble.after, [&unit, &trouble] {
         if (std::string_view(trouble.what) == "power")
@@ -302,10 +303,11 @@ void expectEndsWith(const char *drive, const Trouble &trouble)
             EXPECT_TRUE(unit.simulator().disturb(trouble.what, trouble.value));
     });
     tuning::TunePlan plan;
+    plan.loop = loop;
     plan.keep = true;
     const auto report = unit.tune(plan);
     ASSERT_TRUE(report) << drive << ' ' << trouble.what << ": " << report.error().text();
-    std::printf("  %-12s %-16s after %4.1f s: %s, %s: %s\n", drive, trouble.what,
+    std::printf("  %-12s %-16s after %4.1f s: %s, %s: %s\n", (drive + dialect).c_str(), trouble.what,
         std::chrono::duration<double>(trouble.after).count(), std::string(toString(report->result)).c_str(),
         report->stopReason.c_str(), report->evidence.english().c_str());
     EXPECT_EQ(report->result, TuneResult::Stopped) << drive << ' ' << trouble.what;
@@ -315,9 +317,7 @@ void expectEndsWith(const char *drive, const Trouble &trouble)
     EXPECT_TRUE(report->stopped) << drive << ' ' << trouble.what;
     EXPECT_FALSE(unit.simulator().isOutputOn())
         << drive << ' ' << trouble.what; // without a sensor nobody sees it roll on
-    if (unit.device().family().capabilities.readback) {
-        EXPECT_EQ(unit.gains(), before) << drive << ' ' << trouble.what;
-    }
+    EXPECT_EQ(unit.gainsInUnit(), before) << drive << ' ' << trouble.what;
 }
 
 TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDrive)
@@ -328,6 +328,18 @@ TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDrive)
             expectEndsWith(drive, {"encoder-dead", 1.0, after, "no motion"});
             expectEndsWith(drive, {"stall", 1.0, after, "no motion"});
             expectEndsWith(drive, {"power", 0.0, after + 500ms, "link"});
+        }
+    }
+}
+
+TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDialectOfASupermodified)
+{
+    for (const char *const dialect : {"D1", "D2", "D3"}) {
+        for (const Duration after : {Duration(1ms), Duration(6s)}) {
+            expectEndsWith("supermodified", {"encoder-reversed", 1.0, after, "wrong direction"}, dialect);
+            expectEndsWith("supermodified", {"encoder-dead", 1.0, after, "no motion"}, dialect);
+            expectEndsWith("supermodified", {"stall", 1.0, after, "no motion"}, dialect);
+            expectEndsWith("supermodified", {"power", 0.0, after + 500ms, "link"}, dialect);
         }
     }
 }
@@ -370,15 +382,37 @@ TEST(TuneTrouble, ALoadThatAlwaysPullsOneWayIsNamed)
     ASSERT_TRUE(unit.simulator().disturb("load-torque", 0.25));
     const auto report = unit.tune({});
     ASSERT_TRUE(report) << report.error().text();
-    std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.english().c_str());
-    EXPECT_TRUE(report->result != TuneResult::Kept || report->motor->line.asymmetry() <= 0.1);
+    EXPECT_EQ(report->result, TuneResult::Refused);
+    EXPECT_NE(report->evidence.english().find("the two directions differ"), std::string::npos) << report->evidence;
     EXPECT_TRUE(report->stopped);
+}
+
+TEST(TuneTrouble, ACurrentLimitThatIsTooLowIsNamedAndNothingIsWritten)
+{
+    for (const Mode loop : {Mode::Velocity, Mode::Position, Mode::Current}) {
+        MatrixUnit unit(cellOf("dmc60c", "cim", loop, 1, 0.0));
+        const auto before = unit.gainsInUnit();
+        tuning::TunePlan plan;
+        plan.loop = loop;
+        plan.limits.current = 2.0;
+        const auto report = unit.tune(plan);
+        ASSERT_TRUE(report) << report.error().text();
+        std::printf("  %s: %s '%s': %s\n", std::string(toString(loop)).c_str(),
+            std::string(toString(report->result)).c_str(), report->stopReason.c_str(),
+            report->evidence.english().c_str());
+        EXPECT_EQ(report->result, TuneResult::Stopped);
+        EXPECT_EQ(report->stopReason, "current");
+        EXPECT_NE(report->evidence.english().find(" A"), std::string::npos) << report->evidence;
+        EXPECT_TRUE(report->stopped);
+        EXPECT_FALSE(unit.simulator().isOutputOn());
+        EXPECT_EQ(unit.gainsInUnit(), before);
+    }
 }
 
 TEST(TuneTrouble, AnotherMasterEndsItAndTheGainsStay)
 {
     MatrixUnit unit(cellOf("dmc60c", "cim", Mode::Velocity, 1, 0.0));
-    const auto before = unit.gains();
+    const auto before = unit.gainsInUnit();
     const auto other = unit.otherEnd();
     ASSERT_TRUE(other->open());
     Timer strikes(unit.clock());
@@ -388,7 +422,7 @@ TEST(TuneTrouble, AnotherMasterEndsItAndTheGainsStay)
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
     EXPECT_EQ(report->stopReason, "foreign master") << report->evidence;
-    EXPECT_EQ(unit.gains(), before);
+    EXPECT_EQ(unit.gainsInUnit(), before);
 }
 
 } // namespace

@@ -348,26 +348,6 @@ TEST(TwoPointTuning, KeepsMostGearedMotorsOfEveryDialectAndChangesNothingOfTheOt
     EXPECT_EQ(kept, 27);
 }
 
-TEST(TwoPointTuning, AStalledShaftOrAWrongSensorStopsItAndTheGainsStay)
-{
-    for (const int node : {4, 5}) {
-        for (const std::string_view fault : {"stall", "encoder-dead", "encoder-reversed"}) {
-            ExperimentBench bench("sim:serial", "supermodified", node);
-            const auto before = gainsOf(bench);
-            ASSERT_TRUE(bench.simulator()->disturb(fault, 1.0));
-            const auto report = test::tune(bench, test::planOf(Mode::Position));
-            ASSERT_TRUE(report) << report.error().text();
-            std::printf("  %d %s: %s, %s\n", node, std::string(fault).c_str(),
-                std::string(toString(report->result)).c_str(), report->evidence.english().c_str());
-            EXPECT_NE(report->result, TuneResult::Kept);
-            EXPECT_FALSE(report->evidence.empty());
-            EXPECT_TRUE(report->stopped);
-            EXPECT_FALSE(bench.simulator()->isOutputOn());
-            EXPECT_EQ(gainsOf(bench), before);
-        }
-    }
-}
-
 TEST(TwoPointTuning, TheUserEndsItAtAnyPointAndTheGainsStay)
 {
     for (const double seconds : {0.05, 0.5, 4.0, 10.0, 20.0}) { // at first before anything moves

@@ -184,6 +184,7 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     row.cell = cell;
     MatrixUnit unit(cell);
     const auto before = unit.gains();
+    const auto inUnit = unit.gainsInUnit();
     tuning::TunePlan plan;
     plan.loop = cell.loop;
     plan.keep = true;
@@ -210,9 +211,8 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
         row.predictedOvershoot = report->predicted->metrics.overshoot.value_or(0.0);
     if (report->result != TuneResult::Kept) {
         row.reason = report->evidence.english();
-        const auto after = unit.gains();
-        for (std::size_t i = 0; i < before.size(); ++i) // of what was known
-            row.gainsAsBefore = row.gainsAsBefore && (!before[i].second || before[i].second == after[i].second);
+        const bool isKnown = std::ranges::all_of(before, [](const auto &gain) { return gain.second.has_value(); });
+        row.gainsAsBefore = !isKnown || unit.gainsInUnit() == inUnit;
         return row;
     }
     row.reason = report->evidence.english();
