@@ -8157,14 +8157,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Phase des Kreises, °</translation>
     </message>
     <message>
-        <source>Response of the closed loop: %1</source>
-        <translation>Antwort des geschlossenen Kreises: %1</translation>
-    </message>
-    <message>
-        <source>bounded by %1</source>
-        <translation>begrenzt durch %1</translation>
-    </message>
-    <message>
         <source>Tuning of the %1 loop</source>
         <translation>Abstimmung des Regelkreises: %1</translation>
     </message>
@@ -8450,6 +8442,22 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>%1 (forgotten)</source>
         <translation>%1 (vergessen)</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>Band: ± des Modells</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Bounded by</source>
+        <translation>Begrenzt durch</translation>
     </message>
 </context>
 <context>
@@ -18089,20 +18097,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das eigene Profil des Geräts führte mit %1 counts/s, denn ein Sprung zöge zu viel Strom</translation>
     </message>
     <message>
-        <source>at most %1 duty and %2 counts from where it stands</source>
-        <translation>höchstens %1 Tastgrad und %2 counts von der jetzigen Stelle</translation>
-    </message>
-    <message>
         <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
         <translation>höchstens %1 Tastgrad, %2 counts/s und %3 counts von der jetzigen Stelle</translation>
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
         <translation>zuerst wird seine Richtung geprüft: %1 counts aufwärts</translation>
-    </message>
-    <message>
-        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>zuerst wird seine Richtung geprüft: Stöße von 0,3 s, bis er dreht, mit höchstens %1 Tastgrad</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -19019,6 +19019,30 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
         <translation>prüfen, ob Motor und Last die des Rezepts sind und ob seine Zeit reicht, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is %2 of its smallest steps, fewer than %3: one of them is %4</source>
+        <translation>%1 ist %2 seiner kleinsten Schritte, weniger als %3: einer davon ist %4</translation>
+    </message>
+    <message>
+        <source>allow more current or aim for a calmer loop</source>
+        <translation>mehr Strom erlauben oder einen ruhigeren Regler anstreben</translation>
+    </message>
+    <message>
+        <source>any step of these gains draws more than the %1 A that are allowed</source>
+        <translation>jeder Sprung mit diesen Verstärkungen zieht mehr als die erlaubten %1 A</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet</source>
+        <translation>höchstens %1 Tastgrad und %2 counts von der jetzigen Stelle, mit einer Drehzahl, die noch niemand kennt</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns</source>
+        <translation>zuerst wird seine Richtung geprüft: Stöße von 0,3 s, bis er dreht</translation>
+    </message>
+    <message>
+        <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
+        <translation>keine Verstärkungen, wie das Gerät sie speichert, halten in diesem Kreis eine größte Empfindlichkeit von %1</translation>
     </message>
 </context>
 </TS>

@@ -8169,14 +8169,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>fase del lazo, °</translation>
     </message>
     <message>
-        <source>Response of the closed loop: %1</source>
-        <translation>Respuesta del lazo cerrado: %1</translation>
-    </message>
-    <message>
-        <source>bounded by %1</source>
-        <translation>limitado por %1</translation>
-    </message>
-    <message>
         <source>Tuning of the %1 loop</source>
         <translation>Ajuste del lazo de %1</translation>
     </message>
@@ -8450,6 +8442,22 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>%1 (forgotten)</source>
         <translation>%1 (olvidado)</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>banda: ± del modelo</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Propuesta</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Respuesta</translation>
+    </message>
+    <message>
+        <source>Bounded by</source>
+        <translation>Limitado por</translation>
     </message>
 </context>
 <context>
@@ -18089,20 +18097,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>guió el propio perfil del equipo a %1 counts/s, pues un escalón tomaría demasiada corriente</translation>
     </message>
     <message>
-        <source>at most %1 duty and %2 counts from where it stands</source>
-        <translation>como máximo ciclo %1 y %2 cuentas desde donde está</translation>
-    </message>
-    <message>
         <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
         <translation>como máximo ciclo %1, %2 counts/s y %3 cuentas desde donde está</translation>
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
         <translation>primero se comprueba su sentido: %1 cuentas hacia arriba</translation>
-    </message>
-    <message>
-        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>primero se comprueba su sentido: empujes de 0,3 s, hasta que gire, con ciclo %1 como máximo</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -19019,6 +19019,30 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
         <translation>compruebe que motor y carga sean los de la receta y que su tiempo baste, y pruebe de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 is %2 of its smallest steps, fewer than %3: one of them is %4</source>
+        <translation>%1 son %2 de sus pasos mínimos, menos de %3: uno de ellos es %4</translation>
+    </message>
+    <message>
+        <source>allow more current or aim for a calmer loop</source>
+        <translation>permita más corriente o busque un lazo más suave</translation>
+    </message>
+    <message>
+        <source>any step of these gains draws more than the %1 A that are allowed</source>
+        <translation>cualquier escalón con estas ganancias consume más de los %1 A permitidos</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet</source>
+        <translation>como máximo ciclo %1 y %2 cuentas desde donde está, a una velocidad que aún nadie conoce</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns</source>
+        <translation>primero se comprueba su sentido: empujes de 0,3 s, hasta que gire</translation>
+    </message>
+    <message>
+        <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
+        <translation>ninguna ganancia tal como la guarda el equipo mantiene en este lazo una sensibilidad máxima de %1</translation>
     </message>
 </context>
 </TS>

@@ -8169,14 +8169,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>phase de la boucle, °</translation>
     </message>
     <message>
-        <source>Response of the closed loop: %1</source>
-        <translation>Réponse de la boucle fermée&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>bounded by %1</source>
-        <translation>borné par %1</translation>
-    </message>
-    <message>
         <source>Tuning of the %1 loop</source>
         <translation>Réglage de la boucle&#xa0;: %1</translation>
     </message>
@@ -8450,6 +8442,22 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>%1 (forgotten)</source>
         <translation>%1 (oublié)</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>bande : ± du modèle</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>Proposition</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Réponse</translation>
+    </message>
+    <message>
+        <source>Bounded by</source>
+        <translation>Borné par</translation>
     </message>
 </context>
 <context>
@@ -18089,20 +18097,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>le profil de l’appareil lui-même guidait à %1 counts/s, car un échelon tirerait trop de courant</translation>
     </message>
     <message>
-        <source>at most %1 duty and %2 counts from where it stands</source>
-        <translation>au plus %1 de rapport cyclique et %2 counts depuis sa position</translation>
-    </message>
-    <message>
         <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
         <translation>au plus %1 de rapport cyclique, %2 counts/s et %3 counts depuis sa position</translation>
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
         <translation>d’abord son sens est vérifié&#xa0;: %1 counts vers le haut</translation>
-    </message>
-    <message>
-        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>d’abord son sens est vérifié&#xa0;: poussées de 0,3 s, jusqu’à ce qu’il tourne, à %1 de rapport cyclique au plus</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -19019,6 +19019,30 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
         <translation>vérifiez que moteur et charge sont ceux de la recette et que sa durée suffit, puis testez à nouveau</translation>
+    </message>
+    <message>
+        <source>%1 is %2 of its smallest steps, fewer than %3: one of them is %4</source>
+        <translation>%1 vaut %2 de ses plus petits pas, moins de %3 : un seul fait %4</translation>
+    </message>
+    <message>
+        <source>allow more current or aim for a calmer loop</source>
+        <translation>autorisez plus de courant ou visez une boucle plus calme</translation>
+    </message>
+    <message>
+        <source>any step of these gains draws more than the %1 A that are allowed</source>
+        <translation>tout échelon avec ces gains consomme plus que les %1 A permis</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet</source>
+        <translation>au plus %1 de rapport cyclique et %2 counts depuis sa position, à une vitesse que personne ne connaît encore</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns</source>
+        <translation>d’abord son sens est vérifié : poussées de 0,3 s, jusqu’à ce qu’il tourne</translation>
+    </message>
+    <message>
+        <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
+        <translation>aucun gain tel que l’appareil l’enregistre ne garde une sensibilité maximale de %1 dans cette boucle</translation>
     </message>
 </context>
 </TS>

@@ -8159,14 +8159,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>ループの位相、°</translation>
     </message>
     <message>
-        <source>Response of the closed loop: %1</source>
-        <translation>閉ループの応答: %1</translation>
-    </message>
-    <message>
-        <source>bounded by %1</source>
-        <translation>%1 により制限</translation>
-    </message>
-    <message>
         <source>Tuning of the %1 loop</source>
         <translation>%1 ループの調整</translation>
     </message>
@@ -8439,6 +8431,22 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>%1 (forgotten)</source>
         <translation>%1 (削除済み)</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>帯: モデルの ±</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>候補</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>応答</translation>
+    </message>
+    <message>
+        <source>Bounded by</source>
+        <translation>制限要因</translation>
     </message>
 </context>
 <context>
@@ -18072,20 +18080,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>ステップでは電流が大きくなりすぎるため、機器自身のプロファイルが %1 counts/s で導きました</translation>
     </message>
     <message>
-        <source>at most %1 duty and %2 counts from where it stands</source>
-        <translation>最大でデューティ %1、現在位置から %2 counts</translation>
-    </message>
-    <message>
         <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
         <translation>最大でデューティ %1、%2 counts/s、現在位置から %3 counts</translation>
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
         <translation>まず方向を確認: 正方向へ %1 counts</translation>
-    </message>
-    <message>
-        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>まず方向を確認: 回り出すまで 0.3 s のパルス、デューティは最大 %1</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -19002,6 +19002,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
         <translation>モーターと負荷がレシピどおりであること、レシピの時間が足りていることを確認して再試験してください</translation>
+    </message>
+    <message>
+        <source>%1 is %2 of its smallest steps, fewer than %3: one of them is %4</source>
+        <translation>%1 は最小刻みの %2 個分で、%3 個より少なく、1 刻みが %4 になります</translation>
+    </message>
+    <message>
+        <source>allow more current or aim for a calmer loop</source>
+        <translation>電流の許容値を上げるか、より緩やかな制御ループを目標にしてください</translation>
+    </message>
+    <message>
+        <source>any step of these gains draws more than the %1 A that are allowed</source>
+        <translation>これらのゲインではどのステップでも許容の %1 A を超える電流が流れます</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet</source>
+        <translation>最大でデューティ %1、現在位置から %2 counts、速度はまだ不明</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns</source>
+        <translation>まず方向を確認: 回り出すまで 0.3 s のパルス</translation>
+    </message>
+    <message>
+        <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
+        <translation>デバイスに保存される値では、このループの最大感度を %1 に保てるゲインがありません</translation>
     </message>
 </context>
 </TS>

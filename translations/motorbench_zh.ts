@@ -8159,14 +8159,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>回路相位，°</translation>
     </message>
     <message>
-        <source>Response of the closed loop: %1</source>
-        <translation>闭环响应：%1</translation>
-    </message>
-    <message>
-        <source>bounded by %1</source>
-        <translation>受限于 %1</translation>
-    </message>
-    <message>
         <source>Tuning of the %1 loop</source>
         <translation>%1回路的整定</translation>
     </message>
@@ -8439,6 +8431,22 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>%1 (forgotten)</source>
         <translation>%1（已删除）</translation>
+    </message>
+    <message>
+        <source>band: ± of the model</source>
+        <translation>带：模型的 ±</translation>
+    </message>
+    <message>
+        <source>Proposal</source>
+        <translation>建议方案</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>响应</translation>
+    </message>
+    <message>
+        <source>Bounded by</source>
+        <translation>受限于</translation>
     </message>
 </context>
 <context>
@@ -18072,20 +18080,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>由设备自身的轮廓以 %1 counts/s 引导，因为阶跃会消耗过大的电流</translation>
     </message>
     <message>
-        <source>at most %1 duty and %2 counts from where it stands</source>
-        <translation>最多占空比 %1，离当前位置 %2 个计数</translation>
-    </message>
-    <message>
         <source>at most %1 duty, %2 counts/s and %3 counts from where it stands</source>
         <translation>最多占空比 %1、%2 counts/s，离当前位置 %3 个计数</translation>
     </message>
     <message>
         <source>first its direction is checked: %1 counts up</source>
         <translation>先检查方向：向上 %1 个计数</translation>
-    </message>
-    <message>
-        <source>first its direction is checked: pushes of 0.3 s, until it turns, with %1 duty at most</source>
-        <translation>先检查方向：每次推 0.3 s，直到转动，占空比最多 %1</translation>
     </message>
     <message>
         <source>its loop takes its velocity every %1 ms, every %2 ms was expected</source>
@@ -19002,6 +19002,30 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>see that motor and load are those of the recipe and that its time is enough, then test again</source>
         <translation>检查电机和负载是否为配方所指定的，以及配方的时间是否足够，然后重新测试</translation>
+    </message>
+    <message>
+        <source>%1 is %2 of its smallest steps, fewer than %3: one of them is %4</source>
+        <translation>%1 只有其最小级差的 %2 倍，少于 %3：一个级差为 %4</translation>
+    </message>
+    <message>
+        <source>allow more current or aim for a calmer loop</source>
+        <translation>允许更大电流或选用更平缓的回路</translation>
+    </message>
+    <message>
+        <source>any step of these gains draws more than the %1 A that are allowed</source>
+        <translation>用这些增益做任何阶跃都会超过允许的 %1 A</translation>
+    </message>
+    <message>
+        <source>at most %1 duty and %2 counts from where it stands, at a speed that nobody knows yet</source>
+        <translation>最多占空比 %1，离当前位置 %2 个计数，速度尚不可知</translation>
+    </message>
+    <message>
+        <source>first its direction is checked: pushes of 0.3 s, until it turns</source>
+        <translation>先检查方向：每次推 0.3 s，直到转动</translation>
+    </message>
+    <message>
+        <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
+        <translation>按设备存储的取值，此回路没有增益能保持最大灵敏度 %1</translation>
     </message>
 </context>
 </TS>
