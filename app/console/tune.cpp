@@ -133,7 +133,7 @@ Task<int> perform(Console &console, Session &session, Device &device, TuneOrder 
         co_return fail(report.error());
     if (report->result == TuneResult::Kept || !report->notPutBack.empty())
         co_await notebook.keepReplaced(device, report->before, settings::Origin::Tuning);
-    Result<int> verdict = verdictOf(*report);
+    Result<int> verdict = verdictOfTuning(*report);
     if (plan.store && report->result == TuneResult::Kept) {
         auto storing = storeGains(console, device, *report, notebook.settings());
         if (const std::optional<Error> unproved = co_await std::move(storing); unproved && verdict)

@@ -9,7 +9,7 @@ namespace mb::console {
 
 using namespace tuning;
 
-Result<int> verdictOf(const TuneReport &report)
+Result<int> verdictOfTuning(const TuneReport &report)
 {
     if (report.stopReason == toString(Guard::Link))
         return fail(Fault::LinkLost, say("the tuning ended because the link was lost: %1", report.evidence),

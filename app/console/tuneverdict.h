@@ -6,6 +6,6 @@
 namespace mb::console {
 
 /// What `tune` ends with (docs/names.md#exit-statuses), whatever came of it.
-[[nodiscard]] Result<int> verdictOf(const tuning::TuneReport &report);
+[[nodiscard]] Result<int> verdictOfTuning(const tuning::TuneReport &report);
 
 } // namespace mb::console

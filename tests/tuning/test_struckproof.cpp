@@ -168,7 +168,7 @@ struct Proven {
 
 int statusOf(const TuneReport &report)
 {
-    const auto verdict = console::verdictOf(report);
+    const auto verdict = console::verdictOfTuning(report);
     return verdict ? *verdict : console::exitStatusOf(verdict.error().fault, true);
 }
 
