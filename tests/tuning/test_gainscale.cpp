@@ -26,7 +26,7 @@ constexpr double perRadian = 4096.0 / (2.0 * std::numbers::pi);
 const TriedScale triedByHand{.p = 1e-4, .d = 1e-6, .cycle = 1e-3, .i = 2e-5};
 
 /// A loop with gains whose numbers somebody has worked out by hand.
-struct Golden {
+struct GoldenGains {
     const char *link;
     const char *family;
     int address;
@@ -38,7 +38,7 @@ struct Golden {
 };
 
 /// The first five are those of the data sheets and of the references.
-std::vector<Golden> goldenGains()
+std::vector<GoldenGains> goldenGains()
 {
     return {{"sim:can", "dmc60c", 5, Mode::Velocity, 0, {0.002 / perRadian, 0.01 / perRadian, 0.0, 0.0018 / perRadian},
                 {{"slot0.p", 65882}, {"slot0.i", 165}, {"slot0.d", 0}, {"slot0.f", 59294}}},
@@ -77,7 +77,7 @@ const ScaledGains::Row *rowOf(const ScaledGains &gains, std::string_view key)
 }
 
 /// With zeros for what a slot has beside them.
-KnownGains numbersOf(const Family &family, const Golden &row, const ScaledGains &gains)
+KnownGains numbersOf(const Family &family, const GoldenGains &row, const ScaledGains &gains)
 {
     KnownGains numbers;
     const LoopGains &loop = *loopOf(family, row.loop);
@@ -91,7 +91,7 @@ KnownGains numbersOf(const Family &family, const Golden &row, const ScaledGains 
 
 TEST(Acceptance, A08_GoldenGainsOfEveryFamilyAndLoop)
 {
-    for (const Golden &row : goldenGains()) {
+    for (const GoldenGains &row : goldenGains()) {
         const ExperimentBench bench(row.link, row.family, row.address);
         calibrate(*bench.device);
         const auto scaled = scaleGains(*bench.device, row.loop, 1, row.slot, row.gains, row.tried);
@@ -114,7 +114,7 @@ TEST(Acceptance, A08_GoldenGainsOfEveryFamilyAndLoop)
 TEST(Acceptance, A08_AGainComesBackWithinHalfAStepOfItsInteger)
 {
     double worst = 0.0;
-    for (const Golden &row : goldenGains()) {
+    for (const GoldenGains &row : goldenGains()) {
         const ExperimentBench bench(row.link, row.family, row.address);
         calibrate(*bench.device);
         const Family &family = bench.device->family();
