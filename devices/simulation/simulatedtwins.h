@@ -53,6 +53,13 @@ public:
         else
             return std::nullopt;
     }
+    [[nodiscard]] std::optional<std::int64_t> gain(std::string_view key) const override
+    {
+        if constexpr (requires(Unit & unit) { unit.gain(key); })
+            return m_units.front()->gain(key);
+        else
+            return std::nullopt;
+    }
     [[nodiscard]] std::vector<std::uint8_t> flash() const override
     {
         if constexpr (requires(const Unit &unit) { unit.flash(); })

@@ -65,6 +65,8 @@ public:
     [[nodiscard]] virtual std::vector<std::uint8_t> flash() const { return {}; }
     /// What a service technician could change: "load-torque", "stall", "bus-voltage"; false when there is no such thing.
     virtual bool disturb(std::string_view what, double value) = 0;
+    /// The raw number of a gain that its loop runs with, by the key of its table: of a unit whose wire cannot tell it; else nothing.
+    [[nodiscard]] virtual std::optional<std::int64_t> gain(std::string_view) const { return std::nullopt; }
 
     [[nodiscard]] Listeners<const SimulatorEvent &> &events() { return m_events; }
 

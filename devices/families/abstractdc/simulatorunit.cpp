@@ -4,6 +4,8 @@
 #include "wire/bytes.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace mb::abstractdc::simulation {
 namespace {
@@ -99,6 +101,20 @@ double Unit::current()
 {
     m_shaft.advance();
     return m_shaft.motor().current();
+}
+
+std::optional<std::int64_t> Unit::gain(std::string_view key)
+{
+    using Field = std::pair<std::string_view, std::int32_t Record::*>;
+    static constexpr std::array<std::string_view, 3> loops{"velocity", "current", "position"};
+    static constexpr std::array<Field, 4> fields{
+        {{"p", &Record::p}, {"i", &Record::i}, {"d", &Record::d}, {"divisor", &Record::divisor}}};
+    const std::size_t dot = key.find('.');
+    const auto loop = std::ranges::find(loops, key.substr(0, dot));
+    const auto field = std::ranges::find(fields, key.substr(dot + 1), &Field::first);
+    if (loop == loops.end() || field == fields.end())
+        return std::nullopt;
+    return m_loops.gainsOf(static_cast<Loop>(loop - loops.begin() + 1)).*field->second;
 }
 
 bool Unit::disturb(std::string_view what, double value)

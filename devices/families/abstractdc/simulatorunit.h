@@ -5,6 +5,10 @@
 #include "simulation/canoutbox.h"
 #include "simulation/supply.h"
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
 namespace mb::abstractdc::simulation {
 
 /// One drive: its power and its flash, what it hears, and the faults that come at their time.
@@ -18,6 +22,7 @@ public:
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
     [[nodiscard]] double current();
+    [[nodiscard]] std::optional<std::int64_t> gain(std::string_view key);
     void setPowered(bool powered) { m_supply.set(powered); }
     bool disturb(std::string_view what, double value);
 

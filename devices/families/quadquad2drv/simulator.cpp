@@ -4,6 +4,9 @@
 #include "families/quadquad2drv/simulatorboot.h"
 #include "simulation/simulatoroptions.h"
 
+#include <algorithm>
+#include <array>
+
 namespace mb::quadquad2drv {
 namespace simulation {
 namespace {
@@ -98,6 +101,21 @@ public:
     }
     [[nodiscard]] double speed() const override { return m_board.axis(0).motor().countSpeed(); }
     [[nodiscard]] double position() const override { return m_board.axis(0).motor().countPosition(); }
+    [[nodiscard]] std::optional<std::int64_t> gain(std::string_view key) const override
+    {
+        static constexpr std::array<std::string_view, 4> names{"p", "i", "d", "windup"};
+        if (!key.starts_with("ch") || key.size() < 4 || key[2] < '1' || key[2] > '4')
+            return std::nullopt;
+        const simulation::AxisSettings &settings = m_board.axis(key[2] - '1').settings;
+        const bool isPosition = key.substr(4).starts_with("position.");
+        const auto name = std::ranges::find(names, key.substr(key.rfind('.') + 1));
+        const auto place = static_cast<std::size_t>(name - names.begin());
+        if (isPosition && place < settings.positionGains.size())
+            return settings.positionGains.at(place);
+        if (key.substr(4).starts_with("velocity.") && place < settings.velocityGains.size())
+            return settings.velocityGains.at(place);
+        return std::nullopt;
+    }
     void setPowered(bool powered) override { m_board.setPowered(powered); }
     bool disturb(std::string_view what, double value) override
     {
