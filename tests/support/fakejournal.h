@@ -19,7 +19,7 @@ public:
         log.emplace_back("begin");
         begun.push_back(std::move(trial));
         if (isFull)
-            co_return fail(Fault::NotKept, say("the disk is full"));
+            co_return full();
         co_return static_cast<std::int64_t>(begun.size());
     }
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
@@ -27,6 +27,8 @@ public:
         log.emplace_back("owe");
         if (whenOwed)
             whenOwed();
+        if (isFull)
+            co_return full();
         noteTime();
         debtor = std::move(unit);
         if (std::exchange(isPutBack, false))
@@ -40,6 +42,8 @@ public:
     Task<void> markPutBack(std::int64_t) override
     {
         log.emplace_back("put back");
+        if (isFull)
+            co_return full();
         noteTime();
         isPutBack = true;
         co_return {};
@@ -47,8 +51,8 @@ public:
     Task<void> release(std::string, std::vector<std::string> keys) override
     {
         log.emplace_back("release");
-        if (releaseFails)
-            co_return fail(Fault::NotKept, say("the disk is full"));
+        if (releaseFails || isFull)
+            co_return full();
         std::erase_if(owed, [&keys](const tuning::OwedValue &value) {
             return std::find(keys.begin(), keys.end(), value.key) != keys.end();
         });
@@ -57,12 +61,16 @@ public:
     Task<void> settle(std::int64_t) override
     {
         log.emplace_back("settle");
+        if (isFull)
+            co_return full();
         owed.clear();
         co_return {};
     }
     Task<void> complete(std::int64_t, tuning::Trial trial) override
     {
         log.emplace_back("complete");
+        if (isFull)
+            co_return full();
         completed.push_back(std::move(trial));
         co_return {};
     }
@@ -70,6 +78,8 @@ public:
     Task<void> keepTuning(tuning::TuneReport report) override
     {
         log.emplace_back("tuning");
+        if (isFull)
+            co_return full();
         tunings.push_back(std::move(report));
         co_return {};
     }
@@ -85,6 +95,7 @@ public:
         co_return all;
     }
 
+    [[nodiscard]] static tl::unexpected<Error> full() { return fail(Fault::NotKept, say("the disk is full")); }
     void noteTime()
     {
         if (clock)

@@ -5,6 +5,8 @@
 #include "families/abstractdc/simulatoroptions.h"
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
+#include "model/loopparameters.h"
+#include "support/unitgains.h"
 
 #include <algorithm>
 #include <numbers>
@@ -199,6 +201,20 @@ std::vector<std::pair<std::string, std::optional<double>>> MatrixUnit::gains()
 {
     return run(m_clock, tuning::readGains(*m_device, m_cell.loop, 1, 0))
         .value_or(std::vector<std::pair<std::string, std::optional<double>>>());
+}
+
+std::vector<std::pair<std::string, std::optional<std::int64_t>>> MatrixUnit::gainsInUnit()
+{
+    std::vector<std::pair<std::string, std::optional<std::int64_t>>> all;
+    for (const LoopGains &loop : m_family.trials->loops) {
+        for (int slot = 0; slot < m_family.capabilities.gainSlots; ++slot) {
+            for (const ParameterIndex index : loopParameters(m_family, loop, 1, slot)) {
+                const std::string key(m_family.parameters[index.value].key);
+                all.emplace_back(key, rawInUnit(m_clock, *m_device, simulator(), key));
+            }
+        }
+    }
+    return all;
 }
 
 } // namespace mb::test

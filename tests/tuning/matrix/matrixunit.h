@@ -55,6 +55,10 @@ public:
     [[nodiscard]] tuning::ExperimentSurroundings surroundings();
     /// Of the loop that the cell names, in the slot that is tuned; nothing for what cannot be read.
     [[nodiscard]] std::vector<std::pair<std::string, std::optional<double>>> gains();
+    /// Those of every loop of its axis and slots as the unit itself has them, by key, raw; nothing where it does not answer.
+    [[nodiscard]] std::vector<std::pair<std::string, std::optional<std::int64_t>>> gainsInUnit();
+    /// From now on, the share of frames that is lost.
+    void setLoss(double share) { m_session.bench(*m_link)->setLoss(share); }
     /// Another program's end of the same bus.
     [[nodiscard]] std::unique_ptr<Link> otherEnd() { return m_session.bench(*m_link)->hostLink(); }
     [[nodiscard]] FakeJournal &journal() { return m_journal; }
