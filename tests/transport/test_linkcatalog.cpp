@@ -176,3 +176,12 @@ TEST(SerialPorts, AreThoseWithHardwareBehindThemAndDescribedByTheirUsbDevice)
     EXPECT_EQ(ports[1].description, "FTDI FT232R USB UART, serial number A50285BI, 0403:6001");
     EXPECT_TRUE(serialPorts(root / "nothing").empty());
 }
+
+TEST(LinkCatalog, MakesARecording)
+{
+    VirtualClock clock;
+    const auto link = createLink(*LinkAddress::parse("replay:run.log"), clock);
+    ASSERT_TRUE(link);
+    EXPECT_EQ((*link)->kind(), LinkKind::Can);
+    EXPECT_FALSE(createLink(*LinkAddress::parse("replay:run.log?x=1"), clock));
+}

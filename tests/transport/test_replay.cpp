@@ -3,7 +3,6 @@
 #include "support/heldbackground.h"
 #include "support/temporaryfile.h"
 #include "transport/backends/replay.h"
-#include "transport/linkcatalog.h"
 
 #include <gtest/gtest.h>
 
@@ -488,15 +487,6 @@ TEST(Replay, IsLostWhenItsFileIsCutWhileItIsPlayed)
     deleted.clock.advance(30h);
     EXPECT_EQ(deleted.ends, 1) << "what is open stays readable";
     EXPECT_EQ(deleted.link->state(), LinkState::Open);
-}
-
-TEST(Replay, IsMadeByTheCatalogue)
-{
-    VirtualClock clock;
-    const auto link = createLink(*LinkAddress::parse("replay:run.log"), clock);
-    ASSERT_TRUE(link);
-    EXPECT_EQ((*link)->kind(), LinkKind::Can);
-    EXPECT_FALSE(createLink(*LinkAddress::parse("replay:run.log?x=1"), clock));
 }
 
 } // namespace
