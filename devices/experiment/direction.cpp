@@ -28,6 +28,7 @@ constexpr Duration glancePeriod = 5ms;
 constexpr Duration stopAgain = 100ms;
 constexpr Duration restLimit = 5s;
 constexpr Duration restSpan = 100ms;
+constexpr Duration longestSilence = 1s; ///< of a position, where shafts rest
 constexpr double restCounts = 3.0;
 
 std::string verdictKey(const Device &device, int axis)
@@ -37,7 +38,8 @@ std::string verdictKey(const Device &device, int axis)
 
 tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, Message detail)
 {
-    device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
+    if (guard != Guard::Link)
+        device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
     trip = Trip{guard, detail, device.clock().now()};
     return fail(Fault::Unsafe, std::move(detail));
 }
@@ -75,6 +77,14 @@ struct Place {
         since = now;
     }
 };
+
+/// Whether a motor did not move can be said only of one that still tells where it is.
+bool isHeard(const Device &device, int axis)
+{
+    const auto channel = axisChannel(device, "position", axis);
+    const auto newest = channel ? device.telemetry()->latest(*channel) : std::nullopt;
+    return newest && device.clock().now() - newest->time <= longestSilence;
+}
 
 std::vector<Place> placesOf(const Device &device, std::optional<int> axis)
 {
@@ -139,6 +149,8 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
             co_return isSent ? 0.0 : setPoint.target;
         }
     }
+    if (!isHeard(device, axis))
+        co_return wrong(device, axis, trip, Guard::Link, say("%1 does not answer", device.selector()));
     if (std::abs(moved) < enough)
         co_return wrong(device, axis, trip, Guard::NoMotion,
             isSent ? say("the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is "

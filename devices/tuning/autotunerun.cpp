@@ -15,7 +15,7 @@ namespace mb::tuning {
 namespace {
 
 constexpr int mostRepeats = 4;       ///< of an experiment on a wire that loses frames
-constexpr double wholeTime = 60.0;   ///< s; docs/tuning.md, "How well"
+constexpr double wholeTime = 60.0;   ///< s: docs/tuning.md#how-well
 constexpr double knownReserve = 1.3; ///< of a gain that was found: a battery may be fuller
 
 } // namespace

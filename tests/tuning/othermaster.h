@@ -20,7 +20,8 @@ inline void commandElsewhere(Link &other, VirtualClock &clock, Device &device)
     if (auto *const can = dynamic_cast<CanLink *>(&other)) {
         const bool isDigilent = device.family().key == "dmc60c";
         ASSERT_TRUE(can->send(*canFrameFromText(isDigilent ? "02060005#0000000010270000" : "067#0410000000")));
-        clock.advance(std::chrono::milliseconds(1));
+        for (int i = 0; i < 5 && !device.liveness().foreignMaster; ++i) // other frames may stand before it
+            clock.advance(std::chrono::milliseconds(1));
     } else {
         auto &serial = dynamic_cast<SerialLink &>(other);
         ASSERT_TRUE(serial.setBaudrate(dynamic_cast<SerialLink &>(device.link()).baudrate()));

@@ -308,8 +308,6 @@ std::vector<Scenario> ofTheOthers()
         if (unit.mode == Mode::Position) {
             add("wrong direction", "cables swapped since the check", swapCables, {}, away);
             rows.back().checked = true;
-            add("current", "the shaft is blocked", bounded(&Envelope::current, 1.0), struckBy("stall", 1.0),
-                overloaded(1.0));
             continue;
         }
         add("speed", "a load turns it on", bounded(&Envelope::speed, unit.to), struckBy("load-torque", -0.5),
