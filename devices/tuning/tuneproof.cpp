@@ -174,6 +174,8 @@ Message TuneProof::shortcoming()
         wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());
     if (wrong.empty() && report.scale && report.scale->rate == 0.0)
         wrong = judgePlace(report.proof.back(), quietCounts);
+    if (!wrong.empty() && report.proof.back().has(flag::limitSwitch))
+        wrong = joined(wrong, say("a limit switch was met"));
     return wrong;
 }
 
@@ -310,9 +312,13 @@ Task<void> TuneProof::keep()
     report.result = TuneResult::Kept;
     report.notPutBack = {};
     const Capabilities &can = m_run.device().family().capabilities;
+    const ParameterStore &parameters = m_run.device().parameters();
+    const bool areRead = std::ranges::none_of(report.proposed.changes, [&parameters](const ParameterChange &change) {
+        return parameters.parameter(change.index).access == Access::WriteOnly;
+    });
     report.evidence = m_design.isFormer()
         ? say("the steps in both directions kept their limits; the gains are as they were")
-        : can.readback
+        : areRead
         ? say("the steps in both directions kept their limits; the gains were written and read back")
         : say("the steps in both directions kept their limits; the gains were written, which this family cannot read "
               "back");

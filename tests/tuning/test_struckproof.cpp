@@ -246,5 +246,31 @@ INSTANTIATE_TEST_SUITE_P(EveryFamily, FullDisk,
         Case{cellWith("quadquad2drv", Mode::Velocity), {}}),
     [](const auto &row) { return row.param.cell.family; });
 
+TEST(ProofOfABoard, SaysThatItsGainsCannotBeReadBack)
+{
+    Proven proven(cellWith("quadquad2drv", Mode::Velocity));
+    proven.task.start();
+    const TuneReport report = proven.finish();
+    EXPECT_EQ(report.result, TuneResult::Kept);
+    EXPECT_NE(report.evidence.english().find("cannot read back"), std::string::npos) << report.evidence;
+}
+
+TEST(ProofOfADmc60c, ThatMeetsALimitSwitchNamesIt)
+{
+    for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+        Proven proven(cellWith("dmc60c", loop));
+        proven.task.start();
+        ASSERT_TRUE(proven.unit.clock().runUntil([&] { return proven.isStepping(); }, 60s));
+        proven.strike("forward-limit");
+        const TuneReport report = proven.finish();
+        EXPECT_EQ(report.result, TuneResult::RolledBack) << report.evidence;
+        EXPECT_EQ(statusOf(report), 1);
+        EXPECT_NE(report.evidence.english().find("a limit switch was met"), std::string::npos) << report.evidence;
+        EXPECT_TRUE(report.stopped);
+        EXPECT_FALSE(proven.unit.simulator().isOutputOn());
+        EXPECT_EQ(proven.unit.gainsInUnit(), proven.before);
+    }
+}
+
 } // namespace
 } // namespace mb::test
