@@ -28,7 +28,7 @@ constexpr Duration glancePeriod = 5ms;
 constexpr Duration stopAgain = 100ms;
 constexpr Duration restLimit = 5s;
 constexpr Duration restSpan = 100ms;
-constexpr Duration longestSilence = 1s; ///< of a position, where shafts rest
+constexpr Duration untoldTime = 1s; ///< without a position
 constexpr double restCounts = 3.0;
 
 std::string verdictKey(const Device &device, int axis)
@@ -83,7 +83,12 @@ bool isHeard(const Device &device, int axis)
 {
     const auto channel = axisChannel(device, "position", axis);
     const auto newest = channel ? device.telemetry()->latest(*channel) : std::nullopt;
-    return newest && device.clock().now() - newest->time <= longestSilence;
+    return newest && device.clock().now() - newest->time <= untoldTime;
+}
+
+tl::unexpected<Error> silent(Device &device, int axis, std::optional<Trip> &trip)
+{
+    return wrong(device, axis, trip, Guard::Link, say("%1 does not answer", device.selector()));
 }
 
 std::vector<Place> placesOf(const Device &device, std::optional<int> axis)
@@ -131,6 +136,8 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
     if (!rests) {
         rests = co_await untilAtRest(device, axis);
     }
+    if (!rests && !isHeard(device, axis))
+        co_return silent(device, axis, trip);
     if (!rests && device.link().state() == LinkState::Open)
         co_return fail(Fault::Unsafe, say("the shaft still turns, so nobody can tell which way it is pushed"),
             say("let it come to rest first"));
@@ -142,15 +149,20 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         last = strength >= most;
         setPoint.target = strength;
         ++setPoint.order;
+        const double before = recorder.latest("position").value_or(0.0);
         auto pushing = push(device, stream, recorder, setPoint, clearMove, isSent ? nudgeTime : pulse);
-        moved = co_await std::move(pushing);
+        const Result<double> pushed = co_await std::move(pushing).attempt();
+        moved = pushed.value_or(recorder.latest("position").value_or(before) - before);
+        const bool ranAway = recorder.trip() && recorder.trip()->guard == Guard::Travel && moved <= -enough;
+        if (!pushed && !ranAway)
+            co_return fail(pushed.error());
         if (moved >= enough) {
             device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
             co_return isSent ? 0.0 : setPoint.target;
         }
     }
     if (!isHeard(device, axis))
-        co_return wrong(device, axis, trip, Guard::Link, say("%1 does not answer", device.selector()));
+        co_return silent(device, axis, trip);
     if (std::abs(moved) < enough)
         co_return wrong(device, axis, trip, Guard::NoMotion,
             isSent ? say("the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is "

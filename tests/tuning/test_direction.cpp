@@ -166,7 +166,32 @@ TEST(Direction, ANudgeIsStoppedWithinSixtyCounts)
 
     EXPECT_LE(farthest, 60.0 + 0.02 * fastest);
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "travel") << task.result()->detail;
+    EXPECT_EQ(task.result()->reason, "wrong direction") << task.result()->detail;
+}
+
+TEST(Direction, AUnitThatFallsSilentIsNoneThatDoesNotMove)
+{
+    for (auto at = 20ms; at <= 600ms; at += 20ms) {
+        ExperimentBench bench("sim:serial", "supermodified", 4);
+        EXPECT_TRUE(bench.simulator()->disturb("stall", 1.0));
+        ExperimentPlan plan = stepTo(Mode::Position, 1000.0);
+        plan.slot = 0;
+        const Instant cut = bench.bench.clock.now() + at;
+        Timer cuts(bench.bench.clock);
+        cuts.startIn(at, [&bench] { bench.simulator()->setPowered(false); });
+        const auto &verdicts = bench.device->knowledge().profile().verdicts;
+        auto task = bench.start(plan);
+        task.start();
+        ASSERT_TRUE(
+            bench.bench.clock.runUntil([&] { return task.isFinished() || verdicts.contains("direction"); }, 60s));
+        const bool isConcluded = verdicts.contains("direction") && bench.bench.clock.now() < cut;
+        ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 60s));
+        if (!task.result()) { // before anything was to move
+            EXPECT_LE(at, 100ms) << task.result().error().text();
+            continue;
+        }
+        EXPECT_EQ(task.result()->reason, isConcluded ? "no motion" : "link") << at.count() << task.result()->detail;
+    }
 }
 
 /// On a line that outlives the program, so that what has no watchdog needs a guardian.
@@ -256,14 +281,17 @@ struct Nudged {
     Result<double> result;
 };
 
-TEST(Nudge, ThatIsAClosedLoopIsEndedByTheCheckOfItsDirection)
+TEST(Nudge, ThatIsAClosedLoopIsEndedByTheCheckOfItsDirectionWhoseGuardOfTravelMayBeFirst)
 {
-    for (const int node : {4, 5}) {
+    for (int phase = 0; phase < 20; ++phase) {
+        const int node = 4 + phase % 2;
         ExperimentBench bench("sim:serial", "supermodified", node);
+        bench.bench.clock.advance(std::chrono::milliseconds(phase));
         EXPECT_TRUE(bench.simulator()->disturb("encoder-reversed", 1.0));
         const Nudged nudged(bench);
         ASSERT_FALSE(nudged.result) << *nudged.result;
         EXPECT_EQ(nudged.result.error().fault, Fault::Unsafe) << nudged.result.error().text();
+        EXPECT_NE(nudged.result.error().text().find("reversed"), std::string::npos) << nudged.result.error().text();
         EXPECT_LE(nudged.farthest, 60.0 + 0.02 * nudged.fastest) << node;
     }
 }

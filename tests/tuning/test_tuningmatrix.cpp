@@ -339,7 +339,7 @@ TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDialectOfASupermo
             expectEndsWith("supermodified", {"encoder-reversed", 1.0, after, "wrong direction"}, dialect);
             expectEndsWith("supermodified", {"encoder-dead", 1.0, after, "no motion"}, dialect);
             expectEndsWith("supermodified", {"stall", 1.0, after, "no motion"}, dialect);
-            expectEndsWith("supermodified", {"power", 0.0, after + 500ms, "link"}, dialect);
+            expectEndsWith("supermodified", {"power", 0.0, after + 300ms, "link"}, dialect);
         }
     }
 }
