@@ -11332,6 +11332,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>REFUSED</source>
         <translation>ABGELEHNT</translation>
     </message>
+    <message>
+        <source>LEFT OUT</source>
+        <translation>AUSGELASSEN</translation>
+    </message>
 </context>
 <context>
     <name>mb::Welcome</name>

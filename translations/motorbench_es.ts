@@ -11332,6 +11332,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>REFUSED</source>
         <translation>RECHAZADO</translation>
     </message>
+    <message>
+        <source>LEFT OUT</source>
+        <translation>OMITIDO</translation>
+    </message>
 </context>
 <context>
     <name>mb::Welcome</name>

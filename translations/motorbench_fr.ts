@@ -11332,6 +11332,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>REFUSED</source>
         <translation>REFUSÉ</translation>
     </message>
+    <message>
+        <source>LEFT OUT</source>
+        <translation>OMIS</translation>
+    </message>
 </context>
 <context>
     <name>mb::Welcome</name>

@@ -11315,6 +11315,10 @@ double click plots it, drag it to a pane or below them</source>
         <source>REFUSED</source>
         <translation>已拒绝</translation>
     </message>
+    <message>
+        <source>LEFT OUT</source>
+        <translation>已跳过</translation>
+    </message>
 </context>
 <context>
     <name>mb::Welcome</name>

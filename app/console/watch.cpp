@@ -120,7 +120,8 @@ Task<int> stream(Console &console, Device &device, WatchPlan plan, Publisher *pu
             publisher->finish();
         const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(device.clock().now() - start);
         const double seconds = static_cast<double>(took.count()) / 1000.0;
-        noteRate(console, plan.rate, samples.most(), seconds);
+        if (plan.watched.states.empty() || !plan.watched.channels.empty())
+            noteRate(console, plan.rate, samples.most(), seconds);
         summarize(console, samples, publisher, seconds);
     }
     if (ending.cause() == Ending::Cause::LinkLost)

@@ -42,6 +42,7 @@ class Motion(ContractTest):
         asked = ["watch", CIM, "--channel", "velocity", "--for", "1", "--rate"]
         self.assertRegex(Run([*asked, "5000"]).err, r"--rate 5000: \d+ samples a second came")
         self.assertNotIn("--rate", Run([*asked, "100"]).err)
+        self.assertNotIn("--rate", Run(["watch", CIM, "--channel", "halted", "--for", "1", "--rate", "50"]).err)
 
     def test_states_are_told_by_info_and_are_channels_of_watch(self):
         states = self.run_one("info", CIM)["states"]

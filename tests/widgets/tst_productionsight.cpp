@@ -152,7 +152,7 @@ void TestProductionSight::aUnitThatWasCutOffIsNotHiddenByTheVerdictBeforeIt()
     cut.visit.cause = say("stopped before its motor turned");
     bench.show({sightRow(1, service::RowState::Passed, "A1"), cut}, false);
     const Verdict &verdict = bench.page->verdict().verdict();
-    QCOMPARE(verdict.kind, Verdict::Kind::Waiting);
+    QCOMPARE(verdict.kind, Verdict::Kind::LeftOut);
     QCOMPARE(verdict.unit, s("B2"));
     QCOMPARE(verdict.cause, s("Stopped before its motor turned"));
     QVERIFY2(verdict.next.contains(s("F5")), qPrintable(verdict.next));

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Verdict::Kind;
 
-constexpr std::array kinds{Kind::Waiting, Kind::Working, Kind::Passed, Kind::Failed, Kind::Refused};
+constexpr std::array kinds{Kind::Waiting, Kind::Working, Kind::Passed, Kind::Failed, Kind::Refused, Kind::LeftOut};
 constexpr int wideShape = 170; ///< the shape stands in these columns, the words beside it
 constexpr int farLetters = 57; ///< pixels at 96 dpi: 15 mm, a two hundredth of 3 m
 

@@ -110,8 +110,8 @@ Verdict::Kind kindOf(RowState state)
     case RowState::Failed: return Verdict::Kind::Failed;
     case RowState::Refused: return Verdict::Kind::Refused;
     case RowState::Running: return Verdict::Kind::Working;
-    case RowState::Waiting:
-    case RowState::Skipped: break;
+    case RowState::Skipped: return Verdict::Kind::LeftOut;
+    case RowState::Waiting: break;
     }
     return Verdict::Kind::Waiting;
 }

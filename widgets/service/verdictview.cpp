@@ -66,6 +66,7 @@ QString VerdictView::wordOf(Kind kind)
     case Kind::Passed: return tr("PASS");
     case Kind::Failed: return tr("FAIL");
     case Kind::Refused: return tr("REFUSED");
+    case Kind::LeftOut: return tr("LEFT OUT");
     }
     return {};
 }
@@ -108,7 +109,8 @@ QColor VerdictView::colour() const
     case Kind::Working: return theme.accent;
     case Kind::Passed: return theme.ok;
     case Kind::Failed: return theme.danger;
-    case Kind::Refused: return theme.caution;
+    case Kind::Refused:
+    case Kind::LeftOut: return theme.caution;
     }
     return theme.outline;
 }
@@ -121,13 +123,14 @@ QColor VerdictView::ground() const
     case Kind::Working: return theme.bannerInfo;
     case Kind::Passed: return theme.bannerOk;
     case Kind::Failed: return theme.bannerDanger;
-    case Kind::Refused: return theme.bannerCaution;
+    case Kind::Refused:
+    case Kind::LeftOut: return theme.bannerCaution;
     }
     return theme.panel;
 }
 
 /// Each verdict has a shape of its own, which is told apart without its colour: tick in a circle, cross in a square, mark in a
-/// triangle, an open ring, two chevrons.
+/// triangle, an open ring, two chevrons, a bar in a circle.
 void VerdictView::paintShape(QPainter &painter, const QRectF &box) const
 {
     const double unit = box.width() / 12.0;
@@ -158,6 +161,11 @@ void VerdictView::paintShape(QPainter &painter, const QRectF &box) const
         mark.lineTo(at(6, 9.4));
         break;
     case Kind::Waiting: outline.addEllipse(box); break;
+    case Kind::LeftOut:
+        outline.addEllipse(box);
+        mark.moveTo(at(3.5, 6.0));
+        mark.lineTo(at(8.5, 6.0));
+        break;
     case Kind::Working:
         for (const double x : {2.0, 6.0}) {
             mark.moveTo(at(x, 2.5));

@@ -10,7 +10,7 @@ namespace mb {
 
 /// What a bench says of the unit that is on it, to be read at 3 m.
 struct Verdict {
-    enum class Kind { Waiting, Working, Passed, Failed, Refused };
+    enum class Kind { Waiting, Working, Passed, Failed, Refused, LeftOut };
     struct Fact {
         QString name;
         QString value; ///< with its unit
