@@ -8,7 +8,7 @@ import unittest
 
 LOOK = 0.005  # s between two looks at the clock
 HELD_UP = 0.05  # s; who sleeps and wakes later than that was not served
-ATTEMPTS = 6
+ATTEMPTS = 15
 OWN_WORDS = "this program was held up", "the device is not heard any more"
 complaints = []  # of programs that ran beside the present attempt
 
