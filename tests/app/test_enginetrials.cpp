@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
 #include "app/engine/enginecore.h"
+#include "async/noncopyable.h"
 #include "async/virtualclock.h"
 #include "heard.h"
 #include "model/registry.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 namespace mb {
@@ -23,6 +25,23 @@ namespace {
 
 using namespace std::chrono_literals;
 using tuning::Keep;
+
+/// What the engine writes is kept in a database, until this goes. Needs a core application.
+struct KeptHistory : NonCopyable {
+    KeptHistory(EngineCore &of, Clock &clock)
+        : core(of)
+        , database(Database::open(folder.path().toStdString() + "/motorbench.db").value())
+        , book(*database, clock, "anna")
+    {
+        core.setSettingsLog(&book);
+    }
+    ~KeptHistory() { core.setSettingsLog(nullptr); }
+
+    EngineCore &core;
+    QTemporaryDir folder;
+    std::unique_ptr<Database> database;
+    SettingsBook book;
+};
 
 class TrialCore : public testing::Test {
 protected:
@@ -410,13 +429,9 @@ TEST_F(TrialCore, ATrialWhoseLinkIsClosedIsNobodysAnyMore)
 TEST_F(TrialCore, WhatADoneTrialLeavesInForceIsInTheHistoryAndWhatItPutsBackIsNot)
 {
     test::needCoreApplication();
-    const QTemporaryDir folder;
-    const auto database = Database::open(folder.path().toStdString() + "/motorbench.db");
-    ASSERT_TRUE(database);
-    SettingsBook book(**database, clock, "anna");
-    core.setSettingsLog(&book);
+    KeptHistory history(core, clock);
     const std::int64_t before = stored();
-    const auto changes = [&] { return book.changes(unitKeyOf(*device())); };
+    const auto changes = [&] { return history.book.changes(unitKeyOf(*device())); };
     const std::size_t known = changes()->size();
     for (const Keep keep : {Keep::Never, Keep::WhenDone}) {
         EXPECT_EQ(changes()->size(), known);
@@ -433,18 +448,13 @@ TEST_F(TrialCore, WhatADoneTrialLeavesInForceIsInTheHistoryAndWhatItPutsBackIsNo
     EXPECT_EQ(ours->values.front().key, "slot0.p");
     EXPECT_EQ(ours->values.front().before, before);
     EXPECT_EQ(ours->values.front().after, 30'000);
-    core.setSettingsLog(nullptr);
 }
 
 TEST_F(TrialCore, ATuningThatNoNotebookCouldPutBackIsRefusedBeforeTheMotorTurns)
 {
     test::needCoreApplication();
-    const QTemporaryDir folder;
-    const auto database = Database::open(folder.path().toStdString() + "/motorbench.db");
-    ASSERT_TRUE(database);
-    SettingsBook book(**database, clock, "anna");
-    core.setSettingsLog(&book);
-    ASSERT_TRUE((*database)->run(
+    KeptHistory history(core, clock);
+    ASSERT_TRUE(history.database->run(
         "CREATE TRIGGER full BEFORE INSERT ON snapshot BEGIN SELECT RAISE(ABORT, 'database or disk is full'); END"));
     test::Heard<tuning::TuneReport> tuned;
     core.send(orders::RunTuning{id(), {}}, tuned.finished());
@@ -452,7 +462,6 @@ TEST_F(TrialCore, ATuningThatNoNotebookCouldPutBackIsRefusedBeforeTheMotorTurns)
     EXPECT_FALSE(isOutputOn());
     ASSERT_TRUE(tuned && !*tuned);
     EXPECT_EQ(tuned->error().fault, Fault::NotKept) << tuned->error().text();
-    core.setSettingsLog(nullptr);
 }
 
 TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
