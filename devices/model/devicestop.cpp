@@ -31,7 +31,7 @@ bool DeviceStop::mayTurn() const
 bool DeviceStop::isDue() const
 {
     return m_state == StopState::Stopping || m_state == StopState::Owed
-        || (m_state == StopState::Unconfirmed && m_device.clock().now() - m_toldAt < debtLimit);
+        || (m_state == StopState::Unconfirmed && isStillOwed(m_toldAt, m_device.clock().now()));
 }
 
 void DeviceStop::driven()
@@ -54,7 +54,7 @@ void DeviceStop::told()
 void DeviceStop::inherit(Instant since)
 {
     m_forMotion = true;
-    if (m_device.clock().now() - since < debtLimit) {
+    if (isStillOwed(since, m_device.clock().now())) {
         m_device.stop();
         return;
     }
@@ -92,11 +92,11 @@ void DeviceStop::look()
 
 void DeviceStop::lookAtCutLine()
 {
-    const Duration since = m_device.clock().now() - m_toldAt;
+    const Instant now = m_device.clock().now();
     m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
     if (!m_device.hasWatchdog())
-        enter(since < debtLimit ? StopState::Owed : StopState::Unconfirmed);
-    else if (since >= m_device.watchdogLimit())
+        enter(isStillOwed(m_toldAt, now) ? StopState::Owed : StopState::Unconfirmed);
+    else if (now - m_toldAt >= m_device.watchdogLimit())
         enter(StopState::ByWatchdog);
 }
 

@@ -32,6 +32,8 @@ class DeviceStop : NonCopyable {
 public:
     /// No stop is owed for longer.
     static constexpr Duration debtLimit = std::chrono::minutes(10);
+    /// One that was told at `since`; an older one is only shown.
+    [[nodiscard]] static bool isStillOwed(Instant since, Instant now) { return now - since < debtLimit; }
 
     explicit DeviceStop(Stoppable &device);
 

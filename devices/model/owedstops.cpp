@@ -49,7 +49,7 @@ std::vector<OwedStop> OwedStops::unseen() const
 bool OwedStops::isOwed(std::string_view line, std::string_view selector) const
 {
     return std::ranges::any_of(m_owed, [&](const OwedStop &one) {
-        return isOf(one, line, selector) && m_clock.now() - one.since < DeviceStop::debtLimit;
+        return isOf(one, line, selector) && DeviceStop::isStillOwed(one.since, m_clock.now());
     });
 }
 
@@ -104,7 +104,7 @@ void OwedStops::sendDue()
     for (const OwedStop &owed : m_owed) {
         const auto line = std::ranges::find_if(
             m_lines, [&owed](const Line &one) { return one.isOurs && one.link->line() == owed.line; });
-        if (line == m_lines.end() || m_clock.now() - owed.since >= DeviceStop::debtLimit
+        if (line == m_lines.end() || !DeviceStop::isStillOwed(owed.since, m_clock.now())
             || isFollowed(owed, line->link) // one on a name that the line has lost can follow nothing
             || std::ranges::any_of(line->sent, [&owed](const OwedStop &one) {
                    return isOf(one, owed.line, owed.device) && owed.since - one.since < lookPeriod;
