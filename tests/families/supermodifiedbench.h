@@ -66,9 +66,10 @@ public:
         EXPECT_TRUE(scanned) << (scanned ? "" : scanned.error().text());
         return sink.rows;
     }
-    std::unique_ptr<Device> connect(int node)
+    std::unique_ptr<Device> connect(int node, std::vector<Identity> known = {})
     {
         Found sink;
+        sink.known = std::move(known);
         EXPECT_TRUE(mb::test::run(clock, probe(host, clock, node, sink)));
         EXPECT_FALSE(sink.rows.empty()) << "node " << node;
         Identity identity = sink.rows.empty() ? Identity{} : sink.rows.back();

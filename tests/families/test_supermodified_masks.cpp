@@ -109,6 +109,47 @@ TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)
     }
 }
 
+TEST(SupermodifiedMasks, ANodeOfAnEarlierRunHidesNobodyWhoFollows)
+{
+    Bench before;
+    before.add("supermodified:9");
+    const std::vector<Identity> known = before.scanAll();
+    ASSERT_EQ(known.size(), 1U);
+    for (const bool isThere : {true, false}) {
+        Bench bench;
+        if (isThere)
+            bench.add("supermodified:9");
+        bench.add("supermodified:5");
+        bench.add("supermodified:6,mask=240");
+        const auto allowed = bench.connect(5, known)->mayMove();
+        ASSERT_FALSE(allowed) << isThere;
+        EXPECT_NE(allowed.error().text().find("node 6"), std::string::npos) << allowed.error().text();
+    }
+}
+
+TEST(SupermodifiedMasks, LostAnswersHideNobodyWhoFollows)
+{
+    for (const std::string lost : {"drop@1", "drop@1,fault=drop@2"}) {
+        Bench bench;
+        bench.add("supermodified:5");
+        bench.add("supermodified:6,mask=240,fault=" + lost);
+        const auto allowed = bench.connect(5)->mayMove();
+        ASSERT_FALSE(allowed) << lost;
+        EXPECT_NE(allowed.error().text().find("node 6"), std::string::npos) << allowed.error().text();
+    }
+}
+
+TEST(SupermodifiedMasks, ANodeWithTheIdOfTheHostIsFoundBeforeAnotherAnswersIt)
+{
+    Bench bench;
+    bench.add("supermodified:5");
+    bench.add("supermodified:" + std::to_string(usualHostId));
+    const auto five = bench.connect(5);
+    EXPECT_NE(Line::of(bench.host, bench.clock)->roster().hostId(), usualHostId);
+    for (const Frame &frame : bench.framesSent())
+        EXPECT_FALSE(frame.to == 5 && frame.from == usualHostId) << "its answer would be an order to the other";
+}
+
 TEST(SupermodifiedMasks, WhileThatOfANodeCannotBeReadNoOtherIsDriven)
 {
     for (const bool scans : {false, true}) {

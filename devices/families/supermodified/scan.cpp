@@ -4,7 +4,7 @@
 #include "families/supermodified/interview.h"
 
 #include <algorithm>
-#include <numeric>
+#include <set>
 
 namespace mb::supermodified {
 namespace {
@@ -16,6 +16,7 @@ constexpr int lastUsual = 15;
 constexpr Duration shortestSilence = 8ms;
 constexpr int silenceRoundTrips = 4;
 constexpr int attemptsForOne = 4;
+constexpr int attemptsForOther = 3; ///< one lost answer would leave a follower unknown
 
 /// One scan: what was asked and what answered.
 class Search {
@@ -41,6 +42,7 @@ private:
     [[nodiscard]] Task<bool> look(Place place, Duration patience);
     [[nodiscard]] Task<void> learnOthers(int address);
     [[nodiscard]] Task<bool> learnMask(Node node);
+    [[nodiscard]] Line::Request asking(const Node &node, Command command) const;
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places, bool patiently = false);
     void heardLate(const Frame &frame);
     [[nodiscard]] Task<void> lookAtLate();
@@ -144,6 +146,15 @@ Duration Search::silence() const
     return std::clamp<Duration>(*roundTrip * silenceRoundTrips, shortestSilence, answerTime);
 }
 
+/// A node with the host's own id can be asked under another one only.
+Line::Request Search::asking(const Node &node, Command command) const
+{
+    Line::Request request = supermodified::asking(node, command);
+    if (node.id == m_line->roster().hostId())
+        request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
+    return request;
+}
+
 /// Any frame from the node counts, an error frame too: it is there and has something to tell.
 Task<bool> Search::look(Place place, Duration patience)
 {
@@ -151,8 +162,6 @@ Task<bool> Search::look(Place place, Duration patience)
     const Node node{place.second, place.first, std::nullopt};
     Line::Request request = asking(node, Command::GetPosition);
     request.patience = patience;
-    if (node.id == m_line->roster().hostId()) // a node with the host's own id can be asked under another one only
-        request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
     const Result<Frame> reply = co_await ask(*m_line, request).attempt();
     if (!reply && reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
@@ -290,6 +299,10 @@ Task<void> Search::runFor(int address)
         plan(rate, address, address, places);
     for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // silence is asked again
         for (const Place &place : places) {
+            if (attempt == 0 && address != usualHostId) { // as in run()
+                auto learning = learnMask({usualHostId, place.first, std::nullopt});
+                co_await std::move(learning);
+            }
             const bool found
                 = co_await look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
             if (found)
@@ -303,22 +316,20 @@ Task<void> Search::runFor(int address)
     co_return {};
 }
 
-/// Others may act on what is sent to this node (README.md#masks), so their masks are known before it is driven.
+/// Others may act on what is sent to this node (README.md#masks), so their masks are known before it is driven: those of the nodes that
+/// are known, and of whoever may be where vendors leave theirs.
 Task<void> Search::learnOthers(int address)
 {
     const int rate = m_line->roster().entry(address).baudrate;
-    std::vector<int> others;
+    std::set<int> others;
     for (const auto &[id, node] : m_line->roster().nodes()) {
-        if (id != address && node.baudrate == rate)
-            others.push_back(id);
+        if (node.baudrate == rate)
+            others.insert(id);
     }
-    if (others.empty()) {
-        others.resize(lastUsual - firstUsual + 1);
-        std::iota(others.begin(), others.end(), firstUsual);
-    }
+    for (int id = firstUsual; id <= lastUsual; ++id)
+        others.insert(id);
+    others.erase(address);
     for (const int id : others) {
-        if (id == address)
-            continue;
         auto learning = learnMask({id, rate, std::nullopt});
         const bool answered = co_await std::move(learning);
         if (!answered && m_line->roster().entry(id).nextId == address)
@@ -327,26 +338,30 @@ Task<void> Search::learnOthers(int address)
     co_return {};
 }
 
-/// True where it answered.
+/// True where it answered. Silence is asked again, and longer where somebody is known to be.
 Task<bool> Search::learnMask(Node node)
 {
     Line::Request request = asking(node, Command::GetNodeMask);
-    request.patience = m_line->roster().nodes().contains(node.id) ? answerTime : silence();
-    Result<Frame> reply = co_await ask(*m_line, request).attempt();
-    if (reply && codesOf(*reply)) { // it is there, and had something to tell first
-        reply = co_await ask(*m_line, request).attempt();
+    const bool isKnown = m_line->roster().nodes().contains(node.id);
+    for (int attempt = 0; attempt < attemptsForOther; ++attempt) {
+        request.patience = isKnown ? std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling) : silence();
+        Result<Frame> reply = co_await ask(*m_line, request).attempt();
+        if (reply && codesOf(*reply)) { // it is there, and had something to tell first
+            reply = co_await ask(*m_line, request).attempt();
+        }
+        if (!reply && reply.error().fault == Fault::LinkLost)
+            co_return fail(reply.error());
+        if (!reply)
+            continue;
+        const auto mask = codesOf(*reply) ? std::nullopt : valueOf(reply->payload(), Format::U8);
+        m_line->roster().note(node.id, node.baudrate);
+        if (mask)
+            m_line->roster().noteMask(node.id, static_cast<std::uint8_t>(*mask));
+        else
+            m_line->roster().noteUnreadMask(node.id);
+        co_return true;
     }
-    if (!reply && reply.error().fault == Fault::LinkLost)
-        co_return fail(reply.error());
-    if (!reply)
-        co_return false;
-    const auto mask = codesOf(*reply) ? std::nullopt : valueOf(reply->payload(), Format::U8);
-    m_line->roster().note(node.id, node.baudrate);
-    if (mask)
-        m_line->roster().noteMask(node.id, static_cast<std::uint8_t>(*mask));
-    else
-        m_line->roster().noteUnreadMask(node.id);
-    co_return true;
+    co_return false;
 }
 
 } // namespace
