@@ -134,8 +134,6 @@ Task<Outcomes> ParameterJobs::writeWhole(
             = keepBefore(device, restores ? settings::Occasion::Restore : settings::Occasion::Import, progress);
         co_await std::move(keeping);
     }
-    if (m_settings && settings::mustBeConfirmed(device, changes))
-        purpose = settings::Purpose::Provisional;
     auto writing
         = settings::writeKept(device, std::move(changes), {settings::Origin::Window, purpose}, m_settings, progress);
     co_return co_await std::move(writing).attempt();

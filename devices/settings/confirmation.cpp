@@ -66,18 +66,6 @@ std::vector<ValueChange> openOf(const Family &family, const SettingsChange &chan
 
 } // namespace
 
-bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes)
-{
-    std::vector<ValueChange> values;
-    for (const ParameterChange &change : changes) {
-        const ParameterStore::Entry &entry = device.parameters().entry(change.index);
-        const auto before = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
-        values.push_back(
-            {std::string(device.parameters().parameter(change.index).key), before, change.raw, Proof::Open});
-    }
-    return !toConfirm(device.family(), values).empty();
-}
-
 std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes)
 {
     std::vector<SettingsChange> open;

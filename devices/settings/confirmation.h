@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/parametertransfer.h"
+#include "model/device.h"
 #include "settings/history.h"
 #include "settings/settingslog.h"
 
@@ -12,9 +12,6 @@ namespace mb::settings {
 
 /// After this a value that nobody has kept goes back.
 inline constexpr Duration confirmTime = std::chrono::seconds(30);
-
-/// Whether toConfirm() has any of these, which are about to be written, by what is known of the device.
-[[nodiscard]] bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes);
 
 /// The changes of a unit whose values nobody has kept or reverted, oldest first, with what of them is still in force as far as
 /// the history knows: those of Purpose::Provisional, and what an undo or a redo has made livelier. What the window writes over

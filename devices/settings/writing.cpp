@@ -100,7 +100,8 @@ Task<std::optional<std::int64_t>> beginKept(
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
-    const bool asks = asksToBeKept(change.purpose) && !toConfirm(family, change.values).empty();
+    const bool isUnknown = std::ranges::any_of(change.values, [](const ValueChange &value) { return !value.before; });
+    const bool asks = asksToBeKept(change.purpose) && (isUnknown || !toConfirm(family, change.values).empty());
     const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
@@ -169,6 +170,9 @@ Task<std::vector<TransferOutcome>> writeKept(
     if (log && !changes.empty()) {
         change.values = co_await valuesBefore(device, changes);
     }
+    const bool isOrdered = order.purpose == Purpose::Write || order.purpose == Purpose::Restore;
+    if (isOrdered && order.origin == Origin::Window && !toConfirm(device.family(), change.values).empty())
+        change.purpose = Purpose::Provisional;
     const std::optional<std::int64_t> number = co_await beginKept(device.family(), log, change, progress);
     std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);
     co_await completeKept(log, number, judged(device, change.values, outcomes), progress);

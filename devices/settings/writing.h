@@ -14,8 +14,8 @@ struct Order {
 
 /// writeParameters() that is in the history: what is there is read first where it can be, the change is on the disk before the
 /// first value is written, and what came of each value after the last. A disk that fails costs the entry, not the write, and the
-/// progress says so; but what somebody has to keep (asksToBeKept, toConfirm) is not written then: NotKept. `log` may be nullptr:
-/// nothing is kept.
+/// progress says so; but what somebody has to keep is not written then: NotKept. Of the window that is whatever toConfirm() has of
+/// its write: it becomes Purpose::Provisional. `log` may be nullptr: nothing is kept.
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress);
 

@@ -30,8 +30,7 @@ protected:
     /// Writes it as the window does.
     SettingsChange provisional(Device &device, std::vector<ParameterChange> changes)
     {
-        EXPECT_TRUE(run(settings::writeKept(
-            device, std::move(changes), {Origin::Window, Purpose::Provisional}, book.get(), progress)));
+        EXPECT_TRUE(run(settings::writeKept(device, std::move(changes), {Origin::Window}, book.get(), progress)));
         return all(device).back();
     }
     /// As the engine does, ten times a second; how often it said that it is due.
@@ -77,7 +76,20 @@ TEST_F(Confirmations, AreForWhatBecameLivelierNotForWhatBecameSafer)
                       {"current_limit.i_zone", 21809288, 0}, // 0 is no limit
                       {"current_limit.peak_duration", std::nullopt, 900}}),
         wanted);
-    EXPECT_FALSE(settings::mustBeConfirmed(five, {{change(five, "slot0.p", 7 * amperes)}}));
+    EXPECT_EQ(provisional(five, {change(five, "slot0.p", 7 * amperes)}).purpose, Purpose::Write);
+}
+
+TEST_F(Confirmations, AreAskedByWhatTheUnitHasNotByWhatItWasThoughtToHave)
+{
+    Device &five = *bench.device(5);
+    const ParameterIndex peak = bench.index(five, "current_limit.peak");
+    ASSERT_TRUE(write(five, {{peak, 20 * amperes}}));
+    five.parameters().setRead(peak, 60 * amperes); // another program has lowered it since
+    EXPECT_EQ(provisional(five, {{peak, 50 * amperes}}).purpose, Purpose::Provisional);
+    EXPECT_EQ(all(five).back().values.front().before, 20 * amperes);
+    ASSERT_TRUE(write(five, {{peak, 20 * amperes}}));
+    five.parameters().setFailed(peak); // its last reading was lost
+    EXPECT_EQ(provisional(five, {{peak, 50 * amperes}}).purpose, Purpose::Provisional);
 }
 
 TEST_F(Confirmations, AValueThatNobodyKeepsGoesBackAfterThirtySeconds)
@@ -85,7 +97,6 @@ TEST_F(Confirmations, AValueThatNobodyKeepsGoesBackAfterThirtySeconds)
     Device &five = *bench.device(5);
     const auto old = reads(five, "current_limit.peak");
     ASSERT_TRUE(old);
-    ASSERT_TRUE(settings::mustBeConfirmed(five, {{change(five, "current_limit.peak", *old * 2)}}));
     const SettingsChange change
         = provisional(five, {this->change(five, "current_limit.peak", *old * 2), this->change(five, "slot0.p", 65536)});
     Confirmation confirmation = confirmationOf(five, change);
@@ -161,10 +172,7 @@ TEST_F(Confirmations, WhatIsWrittenOverAnOpenValueGoesBackToWhatWasKeptLast)
         provisional(five, {change(five, "current_limit.peak", old * 2), change(five, "slot0.max_forward", 100)});
         const auto second = static_cast<std::int64_t>(static_cast<double>(old) * row.second);
         const ParameterChange wanted = change(five, "current_limit.peak", second);
-        if (settings::mustBeConfirmed(five, {{wanted}}))
-            provisional(five, {wanted});
-        else
-            ASSERT_TRUE(write(five, {wanted}));
+        provisional(five, {wanted});
         const auto left = *run(settings::findUnconfirmed(five, *book));
         ASSERT_EQ(left.size(), row.isOpen ? 1U : 0U);
         if (!row.isOpen)
@@ -265,7 +273,6 @@ TEST_F(SerialConfirmations, WhatActsAfterARestartCountsFromThen)
     const auto old = reads(four, "uart.baud");
     ASSERT_TRUE(old);
     const std::int64_t other = *old == 57600 ? 115200 : 57600;
-    ASSERT_TRUE(settings::mustBeConfirmed(four, {{change(four, "uart.baud", other)}}));
     const SettingsChange change = provisional(four, {this->change(four, "uart.baud", other)});
     Confirmation confirmation = confirmationOf(four, change);
     EXPECT_EQ(pass(confirmation, four, 60s), 0);
