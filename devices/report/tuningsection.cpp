@@ -134,26 +134,17 @@ Trace moved(const Trace &trace, double origin, double sign, double end)
     return result;
 }
 
-/// nullptr: what was proposed is none of them.
-const Proposal *chosenOf(const TuneReport &report)
-{
-    const auto found = std::ranges::find_if(
-        report.proposals, [&report](const Proposal &one) { return one.gains.made == report.proposed.made; });
-    return found == report.proposals.end() ? nullptr : &*found;
-}
-
 /// Where the step would lie with the model off by its ±; empty where nobody knows that.
 PredictionBand bandOf(const TuneReport &report, double seconds)
 {
-    const Proposal *const chosen = chosenOf(report);
     const PlantErrors errors = errorsOf(report.motor);
-    if (!chosen || (errors.gain == 0.0 && errors.tau == 0.0 && errors.delay == 0.0))
+    if (report.step == 0.0 || (errors.gain == 0.0 && errors.tau == 0.0 && errors.delay == 0.0))
         return {};
-    const LoopShape &shape = chosen->predicted.shape;
-    const ContinuousGains &gains = chosen->gains.made;
-    const Prediction predicted = predictStep(report.loop, report.plant, gains, 0.0, chosen->step, seconds, shape);
+    const LoopShape &shape = report.predicted->shape;
+    const ContinuousGains &gains = report.proposed.made;
+    const Prediction predicted = predictStep(report.loop, report.plant, gains, 0.0, report.step, seconds, shape);
     return tuning::bandOf(
-        predicted, report.loop, report.plant, errors, gains, chosen->step, shape.mostDuty, shape.period);
+        predicted, report.loop, report.plant, errors, gains, report.step, shape.mostDuty, shape.period);
 }
 
 /// What was predicted and, where it was proven, both directions over it.
@@ -222,7 +213,19 @@ QString figureBlock(const QString &svg)
     return svg.isEmpty() ? QString() : QStringLiteral("<div>") + svg + QStringLiteral("</div>\n");
 }
 
-/// Side by side, the chosen one strong.
+QStringList proposalCells(
+    const QString &name, const Design &design, const Metrics &metrics, const Margins &margins, const Report &whole)
+{
+    QStringList bounds;
+    for (const std::string_view bound : design.bounds)
+        bounds << worded(whole.phrase, Message::label(bound));
+    const QString response
+        = design.response > 0.0 ? figure(1e3 * design.response, 3, QStringLiteral("ms")) : figure(std::nullopt);
+    return {name, response, metricText("rise", metrics.rise), metricText("settle", metrics.settle),
+        metricText("overshoot", metrics.overshoot), figure(margins.ms, 3), bounds.join(QStringLiteral(", "))};
+}
+
+/// Side by side, the chosen one strong: numbers of one's own and gains that were there stand below the three.
 QString proposalsHtml(const TuneReport &report, const Report &whole)
 {
     if (report.proposals.empty())
@@ -230,19 +233,22 @@ QString proposalsHtml(const TuneReport &report, const Report &whole)
     HtmlTable table(QStringLiteral("lrrrrrl"),
         {ReportText::tr("Proposal"), ReportText::tr("Response"), metricWords("rise").name, metricWords("settle").name,
             metricWords("overshoot").name, QStringLiteral("Ms"), ReportText::tr("Bounded by")});
-    for (const Proposal &proposal : report.proposals) {
-        const Metrics &metrics = proposal.predicted.metrics;
-        QStringList bounds;
-        for (const std::string_view bound : proposal.design.bounds)
-            bounds << worded(whole.phrase, Message::label(bound));
-        QStringList cells{worded(whole.phrase, Message::label(toString(proposal.aim))),
-            figure(1e3 * proposal.design.response, 3, QStringLiteral("ms")), metricText("rise", metrics.rise),
-            metricText("settle", metrics.settle), metricText("overshoot", metrics.overshoot),
-            figure(proposal.margins.ms, 3), bounds.join(QStringLiteral(", "))};
+    const auto add = [&table](QStringList cells, bool isChosen) {
         for (QString &cell : cells)
-            cell = &proposal == chosenOf(report) ? strong(escaped(cell)) : escaped(cell);
+            cell = isChosen ? strong(escaped(cell)) : escaped(cell);
         table.add(cells);
+    };
+    const auto isChosen = [&report](const Proposal &one) {
+        return report.design && one.gains.made == report.proposed.made
+            && one.design.response == report.design->response;
+    };
+    for (const Proposal &one : report.proposals) {
+        const QString name = worded(whole.phrase, Message::label(toString(one.aim)));
+        add(proposalCells(name, one.design, one.predicted.metrics, one.margins, whole), isChosen(one));
     }
+    if (report.design && report.predicted && report.margins && std::ranges::none_of(report.proposals, isChosen))
+        add(proposalCells(ReportText::tr("chosen"), *report.design, report.predicted->metrics, *report.margins, whole),
+            true);
     return table.html();
 }
 

@@ -177,7 +177,7 @@ const JsonFields<TuneReport> jsonFields<TuneReport>{{"seconds", &TuneReport::sec
     {"proposed", &TuneReport::proposed}, {"measured", &TuneReport::measured}, {"trials", &TuneReport::trials},
     {"not_put_back", &TuneReport::notPutBack, ifSet}, {"scale", &TuneReport::scale, ifSet},
     {"design", &TuneReport::design, ifSet}, {"margins", &TuneReport::margins, ifSet},
-    {"predicted", &TuneReport::predicted, ifSet}, {"profile", &TuneReport::profile, ifSet},
+    {"predicted", &TuneReport::predicted, ifSet}, {"step", &TuneReport::step}, {"profile", &TuneReport::profile, ifSet},
     {"before", beforeToJson, readBefore}, {"proof", proofToJson, readProof}};
 
 QJsonObject toJson(const TuneReport &report)

@@ -43,12 +43,21 @@ ProposalBasis TuneDesign::basis() const
         m_run.envelope(), report.scale, report.taking};
 }
 
-/// The plan's own response and damping take the place of its aim's. What is compared with a proof makes the same step.
+/// What is compared with a proof makes the same step.
 ProposalWish TuneDesign::wishFor(Aim aim) const
 {
-    const bool asked = aim == m_plan.aim;
-    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt, m_isProven, m_steepest,
-        m_isProven ? m_step : 0.0};
+    return {aim, {}, {}, m_isProven, m_steepest, m_isProven ? m_run.report().step : 0.0};
+}
+
+/// The three, and what is to be chosen where that is none of them: the plan's own response and damping take the place of its aim's.
+std::vector<ProposalWish> TuneDesign::wishes() const
+{
+    std::vector<ProposalWish> wishes;
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
+        wishes.push_back(wishFor(aim));
+    if (!mayChange())
+        wishes.push_back({m_plan.aim, m_plan.response, m_plan.ms});
+    return wishes;
 }
 
 VelocityTaking TuneDesign::taking() const
@@ -67,20 +76,20 @@ Task<void> TuneDesign::propose()
     TuneReport &report = m_run.report();
     report.taking = taking();
     report.envelope = m_run.envelope();
-    std::vector<ProposalWish> wishes;
-    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
-        wishes.push_back(wishFor(aim));
-    std::vector<Result<Proposal>> proposals = co_await designed(m_run.device(), basis(), wishes);
-    for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const std::vector<ProposalWish> wanted = wishes();
+    std::vector<Result<Proposal>> proposals = co_await designed(m_run.device(), basis(), wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         auto &proposal = proposals.at(i);
-        const bool asked = wishes[i].aim == m_plan.aim;
-        if (!proposal && asked)
+        const bool isOwn = wanted[i].response || wanted[i].ms;
+        const bool isChosen = isOwn || (mayChange() && wanted[i].aim == m_plan.aim);
+        if (!proposal && isChosen)
             co_return fail(proposal.error());
         if (!proposal)
             continue;
-        if (asked)
+        if (isChosen)
             choose(*proposal);
-        report.proposals.push_back(std::move(*proposal));
+        if (!isOwn)
+            report.proposals.push_back(std::move(*proposal));
     }
     co_return {};
 }
@@ -93,7 +102,7 @@ void TuneDesign::choose(const Proposal &proposal)
     report.margins = proposal.margins;
     report.predicted = proposal.predicted;
     report.profile = proposal.profile;
-    m_step = proposal.step;
+    report.step = proposal.step;
 }
 
 Task<bool> TuneDesign::reconsider()
@@ -158,9 +167,9 @@ Task<bool> TuneDesign::improved()
         co_return false; // what is not known of its winding has cost it nothing that less caution would give back
     if (const bool proposed = co_await proposeOn(plant.value_or(m_held->plant)); !proposed)
         co_return false;
-    const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_step);
+    const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_held->step);
     const TuneReport &report = m_run.report();
-    const double better = promisedError(basis(), report.proposed.made, report.predicted->shape, m_step);
+    const double better = promisedError(basis(), report.proposed.made, report.predicted->shape, report.step);
     if (!(better < worthAProof * promised))
         co_return false;
     m_run.note(say("on the model as these steps have corrected it, other gains leave less error; now those"));
@@ -172,12 +181,12 @@ bool TuneDesign::recallFormer(double seconds)
     TuneReport &report = m_run.report();
     if (!mayChange() || m_plan.loop == Mode::Current || m_run.plan().aim == Aim::Calm || m_former != Former::Untried)
         return false;
-    const auto former = formerProposal(basis(), report.before, m_step);
+    const auto former = formerProposal(basis(), report.before, report.step);
     if (!former || former->proposal.gains.made == report.proposed.made)
         return false;
-    const double kept = promisedError(basis(), report.proposed.made, report.predicted->shape, m_step);
+    const double kept = promisedError(basis(), report.proposed.made, report.predicted->shape, report.step);
     const Prediction &predicted = former->proposal.predicted;
-    const double its = promisedError(basis(), former->proposal.gains.made, predicted.shape, m_step);
+    const double its = promisedError(basis(), former->proposal.gains.made, predicted.shape, report.step);
     if (!former->beyond.empty()) {
         if (its < kept)
             m_beyond = say("those that were there would leave less error, but are not for keeping: %1", former->beyond);

@@ -33,7 +33,6 @@ public:
     /// error.
     void takeTheBetter();
 
-    [[nodiscard]] double step() const { return m_step; } ///< of the proof, in the unit of the loop
     /// What gains did that were proven before these; empty: none were, or they held.
     [[nodiscard]] const Message &before() const { return m_before; }
     /// How these came to be, where they are not the first proposal; empty: they are.
@@ -46,6 +45,7 @@ private:
 
     [[nodiscard]] ProposalBasis basis() const;
     [[nodiscard]] ProposalWish wishFor(Aim aim) const;
+    [[nodiscard]] std::vector<ProposalWish> wishes() const;
     [[nodiscard]] VelocityTaking taking() const;
     [[nodiscard]] bool mayChange() const { return !m_plan.response && !m_plan.ms; }
     [[nodiscard]] Task<bool> improved();
@@ -56,8 +56,7 @@ private:
     void goBack();
 
     AutotuneRun &m_run;
-    TunePlan m_plan; ///< its aim as it has become
-    double m_step = 0.0;
+    TunePlan m_plan;           ///< its aim as it has become
     bool m_refined = false;    ///< the model was corrected after a failure, or could not be
     bool m_isCalmed = false;   ///< the calm proposal took the place of the one that was asked for
     bool m_isProven = false;   ///< a loop on this model was seen to do what was predicted

@@ -87,7 +87,7 @@ int TuneProof::repeats() const
     if (m_run.plan().loop == Mode::Current) {
         const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
         const double fit = (room - proofSeconds(hold(), 0)) / (proofSeconds(hold(), 1) - proofSeconds(hold(), 0));
-        const int asked = currentRepeats(report.plant.noise, m_design.step());
+        const int asked = currentRepeats(report.plant.noise, report.step);
         return std::clamp(static_cast<int>(fit), currentRepeats(0.0, 1.0), asked);
     }
     return m_run.left() >= 2.0 * proofSeconds(hold(), usualProofs) ? usualProofs : 1;
@@ -96,7 +96,7 @@ int TuneProof::repeats() const
 double TuneProof::seconds() const
 {
     const bool isCurrent = m_run.plan().loop == Mode::Current;
-    return 2.0 * proofSeconds(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_design.step()) : 1);
+    return 2.0 * proofSeconds(hold(), isCurrent ? currentRepeats(m_run.report().plant.noise, m_run.report().step) : 1);
 }
 
 double TuneProof::leastSeconds() const
@@ -132,7 +132,7 @@ std::vector<ParameterChange> TuneProof::inProvingSlot() const
 double TuneProof::target(double sign) const
 {
     const bool counted = m_run.device().family().capabilities.zeroPosition; // each experiment from its own start
-    return sign * m_design.step() + (m_run.plan().loop == Mode::Position && !counted ? m_run.place() : 0.0);
+    return sign * m_run.report().step + (m_run.plan().loop == Mode::Position && !counted ? m_run.place() : 0.0);
 }
 
 ExperimentPlan TuneProof::planOf(double sign) const
@@ -153,7 +153,7 @@ ExperimentPlan TuneProof::planOf(double sign) const
     plan.keep = m_mayStay ? Keep::Always : Keep::Never;
     plan.from = loop == Mode::Position ? std::optional<double>() : 0.0;
     plan.to = target(sign);
-    const double step = sign * m_design.step();
+    const double step = sign * m_run.report().step;
     m_run.note(loop == Mode::Current ? say("proving: a step of %1 A", std::round(step * 100.0) / 100.0)
             : loop == Mode::Position ? say("proving: a step of %1 counts", std::round(step))
                                      : say("proving: a step of %1 counts/s", std::round(step)));
@@ -169,9 +169,9 @@ Message TuneProof::shortcoming()
         report.measured.settle = settledWidely(report.proof);
     if (m_run.plan().loop == Mode::Current && report.measured.sse)
         report.measured.sse = restOfCurrent(report.proof);
-    Message wrong = judgeProof(report.measured, report.predicted->metrics, m_design.step(), resting().error);
+    Message wrong = judgeProof(report.measured, report.predicted->metrics, report.step, resting().error);
     if (wrong.empty() && m_run.plan().loop == Mode::Velocity)
-        wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, m_design.step());
+        wrong = judgeRest(swingOf(report.proof.back()), *report.predicted, report.step);
     if (wrong.empty() && report.scale && report.scale->rate == 0.0)
         wrong = judgePlace(report.proof.back(), quietCounts);
     if (!wrong.empty() && report.proof.back().has(flag::limitSwitch))
@@ -217,7 +217,7 @@ Task<void> TuneProof::prove()
         m_heat = report.motor ? report.motor->heat : 0.0;
     }
     report.heat = m_heat;
-    sumOver(*report.predicted, m_run.plan().loop, m_design.step(), hold());
+    sumOver(*report.predicted, m_run.plan().loop, m_run.report().step, hold());
     for (const double sign : {1.0, -1.0}) {
         auto running = m_run.run(planOf(sign));
         report.proof.push_back(co_await std::move(running));
@@ -330,7 +330,7 @@ Task<void> TuneProof::keep()
     if (m_mayStay)
         report.evidence
             = joined(report.evidence, say("what was there is not known, and these were not compared with it"));
-    if (const RestingError rests = resting(); rests.error > notableRest * m_design.step())
+    if (const RestingError rests = resting(); rests.error > notableRest * m_run.report().step)
         report.evidence = joined(report.evidence, tellRest(m_run.plan().loop, rests));
     if (std::ranges::any_of(report.proof, [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         report.evidence = joined(report.evidence, say("a part of them is in force after a restart only"));

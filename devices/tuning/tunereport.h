@@ -58,11 +58,13 @@ struct TuneReport {
     std::vector<Gate> gates;
     std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
     Envelope envelope;               ///< in force, that they were found for
-    std::optional<Design> design;
+    std::optional<Design>
+        design; ///< of what was chosen, as what follows: one of them, numbers of its own, or what was there
     ScaledGains proposed;
     std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter
     std::optional<Margins> margins;
-    std::optional<Prediction> predicted;
+    std::optional<Prediction> predicted;  ///< of a step of `step`
+    double step = 0.0;                    ///< in the unit of the loop
     std::optional<ProfileLimits> profile; ///< as Proposal
     std::vector<Trial> proof;             ///< one a direction
     double heat = 0.0;                    ///< in the winding before the first of them (windingheat.h)

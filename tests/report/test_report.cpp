@@ -233,6 +233,9 @@ TEST(Report, HasTheThreeProposalsAndTheBandOfTheOneThatWasChosen)
         proposal.step = 30'000.0;
         proposal.gains.made = {(1.0 + static_cast<double>(aim)) * 5e-6, 6e-5, 0.0, 0.0};
     }
+    tuning.proposals.back().gains.made = tuning.proposed.made; // rounded to the same integers as the normal ones
+    tuning.design = tuning.proposals[1].design;
+    tuning.step = 30'000.0;
     tuning.motor->pushes.tauError = 0.01;
     tuning.proposed.rows.push_back({"slot0.i", 41, 0.0006});
     const QString html = htmlOf(report);
@@ -242,6 +245,21 @@ TEST(Report, HasTheThreeProposalsAndTheBandOfTheOneThatWasChosen)
         EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word;
     tuning.motor.emplace(); // swung or tried: it has no ±
     EXPECT_FALSE(htmlOf(report).contains(QStringLiteral("band:")));
+}
+
+TEST(Report, ShowsWhatWasChosenBesideTheThreeProposalsBelowThem)
+{
+    Report report = reportOf(true);
+    TuneReport &tuning = report.units.front().tunings.front().report;
+    Proposal &normal = tuning.proposals.emplace_back();
+    normal.gains.made = tuning.proposed.made;
+    normal.design.response = 0.1;
+    tuning.design.emplace().response = 0.3; // by numbers of one's own
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral(">chosen</b>")));
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral(">300\u00a0ms</b>")));
+    tuning.design = normal.design;
+    EXPECT_FALSE(htmlOf(report).contains(QStringLiteral(">chosen</b>")));
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral(">normal</b>")));
 }
 
 TEST(Report, DoesNotCallPutBackWhatIsStillInForce)

@@ -154,10 +154,13 @@ inline KeptTuning velocityTuning()
     normal.margins.ms = 1.44;
     normal.predicted = predictStep(Mode::Velocity, report.plant, normal.gains.made, 0.0, normal.step, 1.0, 1.0, 0.02);
     report.proposals = {calm, normal};
+    report.design = normal.design;
+    report.step = normal.step;
     report.before = {{"slot0.p", 1.165}, {"slot0.i", std::nullopt}};
     report.margins = Margins{1.44, 3.9, 67.0, 4.0};
     report.predicted.emplace();
     report.predicted->measured = approach(0.0, 30'000.0, 1.0);
+    report.predicted->shape = normal.predicted.shape;
     report.predicted->metrics.settle = 0.15;
     report.measured.overshoot = 0.013;
     report.measured.settle = 0.161;

@@ -129,6 +129,8 @@ TEST(CurrentLoop, CalmGainsAndNumbersAreProvenOnce)
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_EQ(report->plant.tau, 0.5e-3);
         EXPECT_EQ(report->plant.lagDoubt, 0.0);
+        for (const Proposal &one : report->proposals) // numbers of one's own take no aim's place
+            EXPECT_EQ(one.design.response, responseOf(Mode::Current, one.aim, report->plant));
         const double asked = calm ? responseOf(Mode::Current, Aim::Calm, report->plant) : 2.5e-3;
         EXPECT_NEAR(report->proposed.made.i, currentRule(report->plant, asked).i, 0.01 * report->proposed.made.i);
     }

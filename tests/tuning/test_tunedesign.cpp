@@ -75,7 +75,7 @@ struct ProvenDesign {
     }
     void prove(double there, double back)
     {
-        run.report().proof = {lateStep(there, design.step()), lateStep(back, -design.step())};
+        run.report().proof = {lateStep(there, run.report().step), lateStep(back, -run.report().step)};
         run.report().result = TuneResult::Kept;
         run.report().evidence = say("done");
     }
@@ -103,7 +103,7 @@ TEST(TuneDesign, GainsThatWereThereAreTriedOnceAndKeptWhereTheirStepsLeaveLess)
     EXPECT_EQ(tested.run.report().proposed.made, tested.former);
     EXPECT_TRUE(tested.design.isPromising()) << "nothing was seen of it";
     const auto promises = [&tested](double late) {
-        tested.run.report().proof = {lateStep(late, tested.design.step())};
+        tested.run.report().proof = {lateStep(late, tested.run.report().step)};
         return tested.design.isPromising();
     };
     EXPECT_TRUE(promises(0.4 * 1.04)) << "1.08 of the error, which the other way may make up for";
@@ -170,7 +170,7 @@ TEST(TuneDesign, StepsOfAnotherMotorCorrectTheModelBothAfterAFailureAndAfterAPro
         const PlantModel thought = tested.run.report().plant;
         PlantModel other = thought;
         other.tau *= 1.25;
-        tested.run.report().proof = stepsOf(other, tested.run.report(), tested.design.step());
+        tested.run.report().proof = stepsOf(other, tested.run.report(), tested.run.report().step);
         tested.run.report().evidence = say("it overshot");
         const Result<bool> again = failed ? test::run(tested.bench.bench.clock, tested.design.reconsider())
                                           : test::run(tested.bench.bench.clock, tested.design.sharpen(10.0));
@@ -191,12 +191,12 @@ TEST(TuneDesign, WhatIsComparedWithAProofMakesTheSameStep)
     PlantModel other = tested.run.report().plant;
     other.gain *= 1.2; // of which a step of its own would be larger
     other.tau *= 1.3;
-    const double step = tested.design.step();
+    const double step = tested.run.report().step;
     tested.run.report().proof = stepsOf(other, tested.run.report(), step);
     const Result<bool> again = test::run(tested.bench.bench.clock, tested.design.sharpen(10.0));
     ASSERT_TRUE(again && *again);
     EXPECT_GT(tested.run.report().plant.gain, 1.1 * other.gain / 1.2);
-    EXPECT_EQ(tested.design.step(), step);
+    EXPECT_EQ(tested.run.report().step, step);
 }
 
 TEST(TuneDesign, NumbersThatWereAskedForAreNotChanged)

@@ -31,7 +31,7 @@ void DesignBook::keep(const DesignPlace &place, tuning::TuneReport report)
         report.plant = before->second.plant;
         report.scale = before->second.scale;
         report.gates = before->second.gates;
-        report.proposals = before->second.proposals; // the three; what was proven may be the sliders' own
+        report.proposals = before->second.proposals; // what was proven may be the sliders' own
         report.envelope = before->second.envelope;
     }
     m_kept.reports[place] = std::move(report);
