@@ -2235,10 +2235,6 @@
         <translation>vor dem ersten Schreiben</translation>
     </message>
     <message>
-        <source>It got no number: the next unit gets that one.</source>
-        <translation>Es bekam keine Nummer: Sie bekommt das nächste Gerät.</translation>
-    </message>
-    <message>
         <source>Start serves the next unit.</source>
         <translation>Start bearbeitet das nächste Gerät.</translation>
     </message>
@@ -2257,6 +2253,14 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 von %2 auf %3</translation>
+    </message>
+    <message>
+        <source>Start serves it once more</source>
+        <translation>Start bearbeitet es noch einmal</translation>
+    </message>
+    <message>
+        <source>No number was written to it this time.</source>
+        <translation>Diesmal wurde ihm keine Nummer geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -8458,6 +8462,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Bounded by</source>
         <translation>Begrenzt durch</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
     </message>
 </context>
 <context>
@@ -17773,10 +17781,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>es steht in seinem Flash</translation>
     </message>
     <message>
-        <source>left out; it goes on where it was when it is tested again</source>
-        <translation>ausgelassen; es geht weiter, wo es war, wenn es wieder geprüft wird</translation>
-    </message>
-    <message>
         <source>no version is told</source>
         <translation>keine Version wird genannt</translation>
     </message>
@@ -19047,6 +19051,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
         <translation>keine Verstärkungen, wie das Gerät sie speichert, halten in diesem Kreis eine größte Empfindlichkeit von %1</translation>
+    </message>
+    <message>
+        <source>left out before it was done</source>
+        <translation>ausgelassen, bevor es fertig war</translation>
     </message>
 </context>
 </TS>

@@ -2235,10 +2235,6 @@
         <translation>antes de la primera escritura</translation>
     </message>
     <message>
-        <source>It got no number: the next unit gets that one.</source>
-        <translation>No recibió número: lo recibe la siguiente unidad.</translation>
-    </message>
-    <message>
         <source>Start serves the next unit.</source>
         <translation>Iniciar atiende la siguiente unidad.</translation>
     </message>
@@ -2257,6 +2253,14 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 de %2 a %3</translation>
+    </message>
+    <message>
+        <source>Start serves it once more</source>
+        <translation>Iniciar la atiende otra vez</translation>
+    </message>
+    <message>
+        <source>No number was written to it this time.</source>
+        <translation>Esta vez no se le escribió ningún número.</translation>
     </message>
 </context>
 <context>
@@ -8458,6 +8462,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>Bounded by</source>
         <translation>Limitado por</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>elegida</translation>
     </message>
 </context>
 <context>
@@ -17781,10 +17789,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>está en su flash</translation>
     </message>
     <message>
-        <source>left out; it goes on where it was when it is tested again</source>
-        <translation>omitida; continúa donde estaba cuando se pruebe de nuevo</translation>
-    </message>
-    <message>
         <source>no version is told</source>
         <translation>no indica ninguna versión</translation>
     </message>
@@ -19047,6 +19051,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
         <translation>ninguna ganancia tal como la guarda el equipo mantiene en este lazo una sensibilidad máxima de %1</translation>
+    </message>
+    <message>
+        <source>left out before it was done</source>
+        <translation>omitida antes de terminar</translation>
     </message>
 </context>
 </TS>

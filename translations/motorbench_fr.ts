@@ -2235,10 +2235,6 @@
         <translation>avant la première écriture</translation>
     </message>
     <message>
-        <source>It got no number: the next unit gets that one.</source>
-        <translation>Il n’a pas reçu de numéro : le suivant le recevra.</translation>
-    </message>
-    <message>
         <source>Start serves the next unit.</source>
         <translation>Démarrer traite l’appareil suivant.</translation>
     </message>
@@ -2257,6 +2253,14 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1 de %2 à %3</translation>
+    </message>
+    <message>
+        <source>Start serves it once more</source>
+        <translation>Démarrer le traite encore une fois</translation>
+    </message>
+    <message>
+        <source>No number was written to it this time.</source>
+        <translation>Cette fois, aucun numéro n’y a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -8458,6 +8462,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>Bounded by</source>
         <translation>Borné par</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>choisie</translation>
     </message>
 </context>
 <context>
@@ -17781,10 +17789,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>sa flash l&apos;a</translation>
     </message>
     <message>
-        <source>left out; it goes on where it was when it is tested again</source>
-        <translation>laissée de côté ; elle reprend où elle en était quand elle est testée de nouveau</translation>
-    </message>
-    <message>
         <source>no version is told</source>
         <translation>aucune version n&apos;est indiquée</translation>
     </message>
@@ -19047,6 +19051,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
         <translation>aucun gain tel que l’appareil l’enregistre ne garde une sensibilité maximale de %1 dans cette boucle</translation>
+    </message>
+    <message>
+        <source>left out before it was done</source>
+        <translation>laissé de côté avant la fin</translation>
     </message>
 </context>
 </TS>

@@ -2233,10 +2233,6 @@
         <translation>最初の書き込み前</translation>
     </message>
     <message>
-        <source>It got no number: the next unit gets that one.</source>
-        <translation>番号は付いていません。次の機器がその番号になります。</translation>
-    </message>
-    <message>
         <source>Start serves the next unit.</source>
         <translation>「開始」で次の機器を処理します。</translation>
     </message>
@@ -2255,6 +2251,14 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1、%2 から %3</translation>
+    </message>
+    <message>
+        <source>Start serves it once more</source>
+        <translation>開始でもう一度処理します</translation>
+    </message>
+    <message>
+        <source>No number was written to it this time.</source>
+        <translation>今回、番号は書き込まれていません。</translation>
     </message>
 </context>
 <context>
@@ -8447,6 +8451,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>Bounded by</source>
         <translation>制限要因</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>選択</translation>
     </message>
 </context>
 <context>
@@ -17764,10 +17772,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>フラッシュに入っています</translation>
     </message>
     <message>
-        <source>left out; it goes on where it was when it is tested again</source>
-        <translation>除外しました。再試験すると続きから始まります</translation>
-    </message>
-    <message>
         <source>no version is told</source>
         <translation>バージョンは示されません</translation>
     </message>
@@ -19030,6 +19034,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
         <translation>デバイスに保存される値では、このループの最大感度を %1 に保てるゲインがありません</translation>
+    </message>
+    <message>
+        <source>left out before it was done</source>
+        <translation>完了前に除外されました</translation>
     </message>
 </context>
 </TS>

@@ -2233,10 +2233,6 @@
         <translation>首次写入之前</translation>
     </message>
     <message>
-        <source>It got no number: the next unit gets that one.</source>
-        <translation>未分配编号：该编号给下一台。</translation>
-    </message>
-    <message>
         <source>Start serves the next unit.</source>
         <translation>点击“启动”处理下一台。</translation>
     </message>
@@ -2255,6 +2251,14 @@
     <message>
         <source>%1 from %2 to %3</source>
         <translation>%1，从 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>Start serves it once more</source>
+        <translation>按开始再处理一次</translation>
+    </message>
+    <message>
+        <source>No number was written to it this time.</source>
+        <translation>这次没有给它写入编号。</translation>
     </message>
 </context>
 <context>
@@ -8447,6 +8451,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>Bounded by</source>
         <translation>受限于</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>所选</translation>
     </message>
 </context>
 <context>
@@ -17764,10 +17772,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已在其闪存中</translation>
     </message>
     <message>
-        <source>left out; it goes on where it was when it is tested again</source>
-        <translation>已跳过；再次测试时从原处继续</translation>
-    </message>
-    <message>
         <source>no version is told</source>
         <translation>未告知版本</translation>
     </message>
@@ -19030,6 +19034,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>no gains as the device stores them keep a largest sensitivity of %1 in this loop</source>
         <translation>按设备存储的取值，此回路没有增益能保持最大灵敏度 %1</translation>
+    </message>
+    <message>
+        <source>left out before it was done</source>
+        <translation>未完成即被跳过</translation>
     </message>
 </context>
 </TS>

@@ -110,6 +110,7 @@ void ServiceJobs::followLinks()
     ServiceView last = view();
     leave();
     last.running = false;
+    last.finishing = true;
     last.mayTurn = MayTurn::Nothing;
     m_last = std::move(last);
     m_changed.notify();
@@ -252,6 +253,7 @@ ServiceView ServiceJobs::view() const
     view.run = m_queue->run();
     view.running = m_queue->isRunning();
     view.pausing = m_queue->isPausing();
+    view.finishing = m_queue->isFinishing();
     view.rows = m_queue->rows();
     view.counts = m_queue->counts();
     return view;

@@ -303,9 +303,7 @@ Task<void> QueueBus::serve(Row &row)
     if (served)
         co_return {};
     const bool isSkipped = served.error().fault == Fault::Cancelled;
-    leftOut(row,
-        isSkipped ? Error{Fault::Cancelled, say("left out; it goes on where it was when it is tested again"), {}}
-                  : served.error());
+    leftOut(row, isSkipped ? Error{Fault::Cancelled, say("left out before it was done"), {}} : served.error());
     if (!isSkipped) // the journal
         co_return fail(served.error());
     co_return {};

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] bool mustStayAwake() const;
     /// The next unit is not begun; what runs goes on.
     [[nodiscard]] bool isPausing() const { return m_run.isPausing(); }
+    /// Ended by its user, or by its numbers: nothing is served again in it.
+    [[nodiscard]] bool isFinishing() const { return m_run.isFinishing(); }
     /// Nothing runs, because of pause().
     [[nodiscard]] bool isPaused() const { return m_run.isPausing() && !m_run.isServing(); }
     /// What ended the queue before its time: numbers that are used up, a lost link, a full disk. Empty detail: nothing did.

@@ -67,8 +67,10 @@ private Q_SLOTS:
     void aLinkThatIsNotOpenIsNamedBesideOneThatIs();
     void whatComesNextIsSaidWithTheVerdict();
     void aUnitThatWasCutOffIsNotHiddenByTheVerdictBeforeIt();
+    void whatRunsWhileAnotherIsSetAsideIsSeenWhenItIsCutOff();
+    void afterTheEndOfAQueueNoKeyIsSaidToTestAgain();
     void aUnitThatWentOnAfterACutIsTheLast();
-    void aNumberThatWasGivenBeforeIsNotPromisedToTheNext();
+    void aUnitThatFailedBeforeItsNumberIsSaidToHaveGotNoneThisTime();
     void unitsThatWaitForTheServerAreNotSaidToBeThere();
     void aSelfTestIsShownWithWhereItBegins();
     void whilePausedNoUnitIsSaidToStartByItself();
@@ -162,6 +164,37 @@ void TestProductionSight::aUnitThatWasCutOffIsNotHiddenByTheVerdictBeforeIt()
     QCOMPARE(bench.page->verdict().verdict().unit, QString());
 }
 
+void TestProductionSight::whatRunsWhileAnotherIsSetAsideIsSeenWhenItIsCutOff()
+{
+    SightBench bench;
+    auto second = sightRow(2, service::RowState::Running, "B2");
+    second.tries = 1;
+    bench.show({sightRow(1, service::RowState::Failed, "A1"), second});
+    QTest::keyClick(bench.page.get(), Qt::Key_F8);
+    second.state = service::RowState::Skipped;
+    second.visit.id = "visit";
+    bench.show({sightRow(1, service::RowState::Failed, "A1"), second});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
+    QCOMPARE(bench.page->verdict().verdict().hint, QString()); // it starts by nothing but F5
+    QTest::keyClick(bench.page.get(), Qt::Key_F8);
+    QCOMPARE(bench.page->verdict().verdict().unit, QString());
+    ++second.tries;
+    bench.show({sightRow(1, service::RowState::Failed, "A1"), second});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
+}
+
+void TestProductionSight::afterTheEndOfAQueueNoKeyIsSaidToTestAgain()
+{
+    SightBench bench;
+    bench.workbench.served.finishing = true;
+    bench.show({sightRow(1, service::RowState::Failed, "A1")}, false);
+    const Verdict &verdict = bench.page->verdict().verdict();
+    QCOMPARE(verdict.next, s("Safe to unplug"));
+    QCOMPARE(verdict.hint, s("Open a recipe, then Start")); // another page has begun it
+    const ServiceView &served = bench.workbench.served;
+    QCOMPARE(verdictOf(served, {}, *bench.page, true).next, s("Start serves it once more"));
+}
+
 void TestProductionSight::aUnitThatWentOnAfterACutIsTheLast()
 {
     SightBench bench;
@@ -173,17 +206,16 @@ void TestProductionSight::aUnitThatWentOnAfterACutIsTheLast()
     QCOMPARE(bench.page->verdict().verdict().unit, s("A1"));
 }
 
-void TestProductionSight::aNumberThatWasGivenBeforeIsNotPromisedToTheNext()
+void TestProductionSight::aUnitThatFailedBeforeItsNumberIsSaidToHaveGotNoneThisTime()
 {
     SightBench bench;
     service::RecipeMatter matter;
     matter.recipe.number.emplace();
     bench.workbench.served.matter = std::make_shared<const service::RecipeMatter>(std::move(matter));
     auto failed = sightRow(1, service::RowState::Failed, "A1");
-    failed.tries = 1;
     bench.show({failed});
-    QVERIFY(bench.page->verdict().verdict().hint.contains(s("the next unit gets that one")));
-    failed.tries = 2;
+    QCOMPARE(bench.page->verdict().verdict().hint, s("No number was written to it this time."));
+    failed.visit.number = 7;
     bench.show({failed});
     QCOMPARE(bench.page->verdict().verdict().hint, QString());
 }

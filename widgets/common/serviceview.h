@@ -24,8 +24,9 @@ enum class MayTurn { Nothing, WhatTurns, Every };
 
 /// A queue of units that is served, as the window sees it at one moment. A value.
 struct ServiceView {
-    bool running = false; ///< units are served, or waited for
-    bool pausing = false; ///< after this unit
+    bool running = false;   ///< units are served, or waited for
+    bool pausing = false;   ///< after this unit
+    bool finishing = false; ///< ended by its user or its numbers: nothing is served again in it
     MayTurn mayTurn = MayTurn::Nothing;
     Instant armedUntil{}; ///< without a unit until then
     int announced = 0;    ///< units whose motor turns within three seconds

@@ -232,8 +232,7 @@ void ProductionPage::testAgain()
 
 void ProductionPage::setAside()
 {
-    for (const service::QueueRow &row : m_workbench.service().rows)
-        m_setAside.push_back(row.id);
+    setAllAside(m_workbench.service(), m_setAside);
     follow();
 }
 
@@ -280,13 +279,14 @@ void ProductionPage::resizeEvent(QResizeEvent *event)
     m_tiles->setVisible(height() >= m_theme.theme().u(heightForTiles));
     m_checks->setVisible(height() >= m_theme.theme().u(heightForTiles));
     m_foot->setVisible(height() >= m_theme.theme().u(heightForKeys));
+    showRecipe(m_workbench.service());
     QWidget::resizeEvent(event);
 }
 
 void ProductionPage::follow()
 {
     const ServiceView &view = m_workbench.service();
-    m_verdict->setVerdict(verdictOf(view, m_setAside, *this));
+    m_verdict->setVerdict(verdictOf(view, m_setAside, *this, m_matter != nullptr));
     m_tiles->follow(view);
     showRecipe(view);
     m_head->follow(view);
@@ -306,16 +306,14 @@ void ProductionPage::showRecipe(const ServiceView &view)
     m_head->show(matter, m_matter != nullptr);
     const bool turns = matter && matter->recipe.test;
     m_motion->setText(turns ? tr("The self-test turns the motor: %1").arg(motionOf(*matter->recipe.test)) : QString());
-    m_motion->setVisible(turns);
+    const Verdict::Kind kind = m_verdict->verdict().kind;
+    const bool isJudged = kind != Verdict::Kind::Waiting && kind != Verdict::Kind::Working;
+    m_motion->setVisible(
+        turns && !(isJudged && height() < m_theme.theme().u(heightForTiles))); // its cause needs the room
 }
 
 void ProductionPage::ended(const service::Visit &visit)
 {
-    std::erase_if(m_setAside, [this, &visit](std::uint32_t id) {
-        const auto &rows = m_workbench.service().rows;
-        return std::ranges::any_of(
-            rows, [&](const service::QueueRow &row) { return row.id == id && row.visit.unit == visit.unit; });
-    });
     sound(visit.outcome == service::Outcome::Passed ? 1 : 3);
 }
 

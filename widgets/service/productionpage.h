@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/common/workbench.h"
+#include "widgets/service/verdictof.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -77,7 +78,7 @@ private:
     std::span<const Family *const> m_families;
     const ThemeSource &m_theme;
     std::shared_ptr<const service::RecipeMatter> m_matter;
-    std::vector<std::uint32_t> m_setAside;
+    SetAside m_setAside;
     bool m_announced = false; ///< that a motor turns in a moment
     bool m_isActive = true;   ///< somebody looks at this program
     bool m_isOrdered = false; ///< a start or an end, and not answered

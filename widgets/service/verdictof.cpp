@@ -36,6 +36,11 @@ bool isCutOff(const QueueRow &row)
     return row.state == RowState::Skipped && !row.visit.id.empty();
 }
 
+bool hasVerdict(const QueueRow &row)
+{
+    return hasEnded(row.state) || isCutOff(row);
+}
+
 /// One that went on after a cut was opened long before.
 double endOf(const service::Visit &visit)
 {
@@ -154,17 +159,26 @@ const QueueRow *running(const ServiceView &view)
 
 } // namespace
 
-const QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
+const QueueRow *lastEnded(const ServiceView &view, const SetAside &setAside)
 {
     if (running(view))
         return nullptr;
     const QueueRow *last = nullptr;
     for (const QueueRow &row : view.rows) {
-        const bool seen = std::ranges::find(setAside, row.id) != setAside.end();
-        if ((hasEnded(row.state) || isCutOff(row)) && !seen && (!last || endOf(row.visit) >= endOf(last->visit)))
+        const auto found = setAside.find(row.id);
+        const bool seen = found != setAside.end() && found->second == row.tries;
+        if (hasVerdict(row) && !seen && (!last || endOf(row.visit) >= endOf(last->visit)))
             last = &row;
     }
     return last;
+}
+
+void setAllAside(const ServiceView &view, SetAside &setAside)
+{
+    for (const QueueRow &row : view.rows) {
+        if (hasVerdict(row))
+            setAside[row.id] = row.tries;
+    }
 }
 
 QString nameOf(const QueueRow &row)
@@ -174,22 +188,31 @@ QString nameOf(const QueueRow &row)
 
 namespace {
 
+QString nextOf(const ServiceView &view, const QueueRow &row, Verdict::Kind kind, const QWidget &page, bool hasRecipe)
+{
+    const bool isOpen = kind == Verdict::Kind::Failed || isCutOff(row);
+    if (isOpen && (!view.finishing || hasRecipe)) {
+        return view.finishing ? BenchText::tr("Start serves it once more")
+                              : wordsOfKeys(page, BenchText::tr("%1 tests again · %2 sets it aside"),
+                                  {QStringLiteral("F5"), QStringLiteral("F8")});
+    }
+    return view.running ? BenchText::tr("Unplug, connect next") : BenchText::tr("Safe to unplug");
+}
+
 /// One dim line below what to do next.
 QString hintOf(const ServiceView &view, const QueueRow &row, Verdict::Kind kind)
 {
     const bool numbers = view.matter && view.matter->recipe.number && row.visit.step < service::Step::Number;
-    if (kind == Verdict::Kind::Failed) // what an earlier try was given stays its own
-        return numbers && !row.visit.number && row.tries < 2
-            ? BenchText::tr("It got no number: the next unit gets that one.")
-            : QString();
+    if (kind == Verdict::Kind::Failed)
+        return numbers && !row.visit.number ? BenchText::tr("No number was written to it this time.") : QString();
     if (view.running)
-        return whenItStarts(view);
+        return isCutOff(row) ? QString() : whenItStarts(view);
     return BenchText::tr("Start serves the next unit.");
 }
 
 } // namespace
 
-Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside, const QWidget &page)
+Verdict verdictOf(const ServiceView &view, const SetAside &setAside, const QWidget &page, bool hasRecipe)
 {
     const QueueRow *row = running(view);
     if (!row && (view.running || view.trouble.empty()))
@@ -212,11 +235,9 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     }
     verdict.cause = asSentence(messageText(row->visit.cause));
     verdict.remedy = asSentence(messageText(row->visit.remedy));
-    verdict.next = verdict.kind == Verdict::Kind::Failed || isCutOff(*row) ? wordsOfKeys(page,
-                       BenchText::tr("%1 tests again · %2 sets it aside"), {QStringLiteral("F5"), QStringLiteral("F8")})
-        : view.running                                                     ? BenchText::tr("Unplug, connect next")
-                                                                           : BenchText::tr("Safe to unplug");
-    verdict.hint = hintOf(view, *row, verdict.kind);
+    verdict.next = nextOf(view, *row, verdict.kind, page, hasRecipe);
+    verdict.hint
+        = view.running || hasRecipe ? hintOf(view, *row, verdict.kind) : BenchText::tr("Open a recipe, then Start");
     return verdict;
 }
 

@@ -4,14 +4,20 @@
 #include "widgets/common/serviceview.h"
 #include "widgets/service/verdictview.h"
 
+#include <map>
+
 namespace mb {
 
+/// Rows whose verdict somebody has seen, each with how often it had been begun by then: what comes of the next time is seen again.
+using SetAside = std::map<std::uint32_t, int>;
+
 /// What the bench shows large: the unit that is being served, else the one that ended last or was cut off, else that it is ready.
-/// `setAside`: rows whose verdict somebody has seen; `page`: whose keys are named.
-[[nodiscard]] Verdict verdictOf(
-    const ServiceView &view, const std::vector<std::uint32_t> &setAside, const QWidget &page);
+/// `page`: whose keys are named; `hasRecipe`: what another page began cannot be begun here again without one.
+[[nodiscard]] Verdict verdictOf(const ServiceView &view, const SetAside &setAside, const QWidget &page, bool hasRecipe);
 /// The row that ended last, or was cut off since, and nobody has set aside; nullptr without one, and while another unit is being served.
-[[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
+[[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const SetAside &setAside);
+/// Adds every row that has ended, or was cut off.
+void setAllAside(const ServiceView &view, SetAside &setAside);
 /// It has all but its self-test, which waits until the station is armed.
 [[nodiscard]] bool isWaitingForArm(const ServiceView &view, const service::QueueRow &row);
 /// Power may be cut now: nothing is written that must be whole, and no self-test turns its motor or waits to.
