@@ -22,6 +22,7 @@ private Q_SLOTS:
     void theSmallestWindowShowsTheCurrentAndKeepsTheResponseLarge();
     void aTrialThatIsForgottenIsNotLookedAtAnyMore();
     void theReportHasOnlyTrialsThatAreKept();
+    void twoThatWereHeldForOtherTimesAreDrawnUntilTheShorterHoldEnds();
 };
 
 void TestTrialSight::theHeadThatSortsSaysSoBesideItsWord()
@@ -174,6 +175,35 @@ void TestTrialSight::theReportHasOnlyTrialsThatAreKept()
     QVERIFY(dialog);
     Q_EMIT dialog->fileSelected(s("/nonexistent/a.html"));
     QCOMPARE(bench.workbench.book.wishes.back().trials, std::vector<std::int64_t>{1});
+}
+
+void TestTrialSight::twoThatWereHeldForOtherTimesAreDrawnUntilTheShorterHoldEnds()
+{
+    TrialBench bench(lightTheme(), QSize(1280, 800));
+    tuning::ExperimentPlan plan;
+    plan.mode = Mode::Velocity;
+    plan.to = 60'000.0;
+    KeptTrial one{1, 0.0, responseOf(plan, 1, 0.4, bench.unit()), false, {}};
+    KeptTrial other{2, 0.0, responseOf(plan, 2, 0.7, bench.unit()), false, {}};
+    ResponsePlot plot(bench.theme);
+    plot.resize(600, 400);
+    const auto lastKey = [&plot] {
+        double last = 0.0;
+        for (const auto &[id, trace] : plot.findChild<PlotStack *>()->strips().traces()) {
+            std::vector<PlotPoint> points;
+            trace.source->columns(-1.0, 10.0, 4000, points);
+            last = points.empty() ? last : std::max(last, points.back().key);
+        }
+        return last;
+    };
+    plot.setTrials(bench.device().family, &one, &other, {});
+    QVERIFY(lastKey() > 1.9); // both come back at the same time
+    other.trial.holds = {{0.0, 0.8}};
+    plot.setTrials(bench.device().family, &one, &other, {});
+    QVERIFY2(lastKey() <= 0.8, qPrintable(QString::number(lastKey())));
+    other.trial.holds = {{0.0, 0.99}};
+    plot.setTrials(bench.device().family, &one, &other, {});
+    QVERIFY(lastKey() > 1.9);
 }
 
 MB_WINDOW_TEST(TestTrialSight);

@@ -60,6 +60,7 @@ private Q_SLOTS:
     void everyVerdictHasAWordOfItsOwn();
     void everyVerdictHasAShapeOfItsOwnWithoutColour();
     void theWordIsReadAtThreeMetres();
+    void theCauseIsReadInTheSmallestPictureAtTwiceTheFont();
     void strokesStandOutFromTheGround();
     void smallPrintIsReadInASmallPictureToo();
     void aScreenReaderHearsIt();
@@ -135,6 +136,39 @@ void TestVerdict::smallPrintIsReadInASmallPictureToo()
         = [&](TextRole role) { return QFontMetrics(source.theme().font(role, view.font())).capHeight(); };
     QVERIFY2(lines[0] >= capital(TextRole::Large) - 2, qPrintable(QString::number(lines[0])));
     QVERIFY2(lines[1] >= capital(TextRole::Caption) - 1, qPrintable(QString::number(lines[1])));
+}
+
+void TestVerdict::theCauseIsReadInTheSmallestPictureAtTwiceTheFont()
+{
+    const ThemeSource source(darkTheme(20.0));
+    VerdictView view(source);
+    view.resize(view.minimumSizeHint().width() * 2, view.minimumSizeHint().height());
+    Verdict failed = verdictOf(Kind::Failed);
+    failed.next = QStringLiteral("F5 tests again");
+    const auto draw = [&](const QString &cause, const QString &unit) {
+        failed.cause = cause;
+        failed.unit = unit;
+        view.setVerdict(failed);
+        return view.grab().toImage();
+    };
+    const auto rowsThatDiffer = [](const QImage &a, const QImage &b) {
+        std::vector<int> rows;
+        for (int y = 0; y < a.height(); ++y) {
+            if (!std::equal(a.constScanLine(y), a.constScanLine(y) + a.bytesPerLine(), b.constScanLine(y)))
+                rows.push_back(y);
+        }
+        return rows;
+    };
+    const QImage shown = draw(QStringLiteral("HHHH"), QStringLiteral("HHHH"));
+    const std::vector<int> cause = rowsThatDiffer(shown, draw({}, QStringLiteral("HHHH")));
+    const std::vector<int> unit = rowsThatDiffer(shown, draw(QStringLiteral("HHHH"), {}));
+    const QImage same = draw(QStringLiteral("HHHH"), QStringLiteral("HHHH"));
+    failed.next = QStringLiteral("FFFF");
+    const std::vector<int> next = rowsThatDiffer(same, draw(QStringLiteral("HHHH"), QStringLiteral("HHHH")));
+    QVERIFY(!cause.empty() && !unit.empty() && !next.empty());
+    QVERIFY2(static_cast<int>(cause.size()) >= 12, qPrintable(QString::number(cause.size())));
+    QVERIFY(unit.back() < cause.front());
+    QVERIFY(cause.back() < next.front());
 }
 
 void TestVerdict::strokesStandOutFromTheGround()

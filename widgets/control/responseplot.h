@@ -60,7 +60,8 @@ private:
     const ThemeSource &m_theme;
     int m_drawnStrips = 3;
     PlotStack *m_stack = nullptr;
-    double m_length = 0.0; ///< s, of the longest response
+    double m_length = 0.0;       ///< s, of the longest response
+    std::optional<double> m_end; ///< s, beyond which the two are not compared
     std::vector<CurveLegend::Entry> m_legend;
 };
 

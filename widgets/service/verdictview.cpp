@@ -18,13 +18,15 @@ using Kind = Verdict::Kind;
 
 constexpr double leastZoom = 0.4;
 constexpr double mostZoom = 1.8;
+constexpr int lowBox = 200;   ///< below it there is no room for a name under the word
+constexpr int lowWhole = 300; ///< below it there is none for a hint
 
 /// As large as asked, smaller where the width needs it; letters grow in steps, so it is tried until they fit.
 QFont fitted(QFont font, const QString &text, int width)
 {
     constexpr double step = 0.96;
     constexpr double least = 8.0;
-    while (font.pointSizeF() > least && QFontMetricsF(font).boundingRect(text).width() > width)
+    while (font.pointSizeF() > least && QFontMetricsF(font).horizontalAdvance(text) > width)
         font.setPointSizeF(font.pointSizeF() * step);
     return font;
 }
@@ -188,12 +190,21 @@ int VerdictView::paintHead(QPainter &painter, const QRect &box, double print) co
     const int right = theme.u(120);
     const QRect words = box.adjusted(shape + gap, 0, -right, 0);
     const QString word = wordOf(m_verdict.kind);
-    int height
-        = paintLine(painter, words, fitted(theme.font(TextRole::Verdict, font()), word, words.width()), colour(), word);
+    const QFont large = fitted(theme.font(TextRole::Verdict, font()), word, words.width());
+    int height = paintLine(painter, words, large, colour(), word);
     QFont unit = theme.font(TextRole::Raw, font());
     unit.setPointSizeF(theme.bodyPointSize * 3.2);
-    height += paintLine(painter, words.adjusted(0, height, 0, 0), fitted(unit, m_verdict.unit, words.width()),
-        theme.text, m_verdict.unit);
+    const bool isLow = box.height() < theme.u(lowBox); // then beside the word, so that the cause has room
+    const int past = isLow ? static_cast<int>(QFontMetricsF(large).horizontalAdvance(word)) + gap : 0;
+    const QRect beside = words.adjusted(past, isLow ? 0 : height, 0, 0);
+    const QFont named = fitted(unit, m_verdict.unit, beside.width());
+    if (isLow)
+        paintLine(painter,
+            QRect(beside.topLeft(), QSize(beside.width(), height))
+                .translated(0, (height - QFontMetrics(named).height()) / 2),
+            named, theme.text, m_verdict.unit);
+    else
+        height += paintLine(painter, beside, named, theme.text, m_verdict.unit);
     QFont number = theme.font(TextRole::Title, font());
     number.setPointSizeF(theme.bodyPointSize * 3.0);
     const QRect side(box.right() - right, box.top() + theme.u(36), right, box.height());
@@ -240,24 +251,35 @@ int VerdictView::paintFacts(QPainter &painter, const QRect &box, double print) c
     return height + theme.u(12);
 }
 
-int VerdictView::paintCause(QPainter &painter, const QRect &box) const
+/// Cause and remedy in full: smaller where there is little room.
+void VerdictView::paintCause(QPainter &painter, const QRect &box) const
 {
+    constexpr double step = 0.94;
+    constexpr double least = 0.5;
     const Theme &theme = m_theme.theme();
-    int y = 0;
-    for (const QString &line : {m_verdict.cause, m_verdict.remedy}) {
-        if (line.isEmpty())
-            continue;
-        QFont words = theme.font(TextRole::Title, font());
-        words.setPointSizeF(theme.bodyPointSize * (y == 0 ? 1.8 : 1.4));
-        words.setBold(y == 0);
-        painter.setFont(words);
-        painter.setPen(y == 0 ? theme.text : theme.dim);
-        const QRect place = box.adjusted(0, y, 0, 0);
-        const QRect taken = QFontMetrics(words).boundingRect(place, Qt::TextWordWrap, line);
-        painter.drawText(place, Qt::TextWordWrap, line);
-        y += std::min(taken.height(), box.height()) + theme.u(6);
-    }
-    return y;
+    const auto paint = [&](double scale, bool isDrawn) {
+        int y = 0;
+        for (const QString &line : {m_verdict.cause, m_verdict.remedy}) {
+            if (line.isEmpty())
+                continue;
+            QFont words = theme.font(TextRole::Title, font());
+            words.setPointSizeF(theme.bodyPointSize * (y == 0 ? 1.8 : 1.4) * scale);
+            words.setBold(y == 0);
+            const QRect place = box.adjusted(0, y, 0, 0);
+            if (isDrawn) {
+                painter.setFont(words);
+                painter.setPen(y == 0 ? theme.text : theme.dim);
+                painter.drawText(place, Qt::TextWordWrap | Qt::TextDontClip, line);
+            }
+            y += QFontMetrics(words).boundingRect(QRect(0, 0, box.width(), 0), Qt::TextWordWrap, line).height()
+                + theme.u(6);
+        }
+        return y;
+    };
+    double scale = 1.0;
+    while (scale > least && paint(scale, false) > box.height())
+        scale *= step;
+    paint(scale, true);
 }
 
 void VerdictView::paintProgress(QPainter &painter, const QRect &box) const
@@ -303,7 +325,7 @@ void VerdictView::paintEvent(QPaintEvent *)
     painter.setPen(QPen(hasFocus() ? theme.accent : colour(), frame, Qt::SolidLine));
     painter.drawRoundedRect(whole.adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
     const int edge = theme.u(36);
-    const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
+    const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(whole.height() < theme.u(lowWhole) ? 60 : 88);
     const int spare = std::max(0, whole.height() - sizeHint().height()); // no empty half: all of it stands lower
     const QRect inner = whole.adjusted(edge, theme.u(16) + spare / 4, -edge, -foot - frame);
     int y = paintHead(painter, inner, print) + theme.u(12) + spare / 4;
