@@ -20,7 +20,8 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds againLater(200);
-constexpr int tallEnough = 520; ///< for the line of the device above its page
+constexpr int tallEnough = 520;  ///< for the line of the device above its page
+constexpr int roomyEnough = 900; ///< for one of limits and pins below it that all stand as they should
 
 } // namespace
 
@@ -169,7 +170,10 @@ void PageStack::followLine()
 {
     const bool ofDevice = shown() == PageId::Parameters || shown() == PageId::Tune || shown() == PageId::Design;
     const bool tall = window()->height() >= m_theme.theme().u(tallEnough);
-    m_states->setWanted(shown() == PageId::Tune && tall);
+    const bool roomy = window()->height() >= m_theme.theme().u(roomyEnough);
+    m_states->setWanted(shown() != PageId::Tune || !tall ? LiveStateBar::Wanted::Never
+            : roomy                                      ? LiveStateBar::Wanted::Always
+                                                         : LiveStateBar::Wanted::IfSomethingHolds);
     m_line->setWanted(ofDevice && tall);
 }
 

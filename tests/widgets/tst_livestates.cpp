@@ -22,6 +22,7 @@ private Q_SLOTS:
     void pinsChangeWhatIsDrawn();
     void thePinsAreThoseOfTheAxisThatIsSelected();
     void aMoveThatIsKeptIsSaidWithItsGlyph();
+    void whereThereIsLittleRoomTheBarIsShownWhileSomethingHolds();
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
     void unitsAreThoseOfTheDevice();
     void aNameThatIsTheFamilysLeavesItsRoomToTheFirmware();
@@ -118,7 +119,7 @@ void LiveStatesTest::pinsChangeWhatIsDrawn()
     workbench.shot.devices.push_back(drive());
     selection.select({1});
     LiveStateBar bar(workbench, selection, m_theme);
-    bar.setWanted(true);
+    bar.setWanted(LiveStateBar::Wanted::Always);
     bar.resize(1100, bar.height());
     QVERIFY(bar.isVisible());
     workbench.device(0).states.set(state("input.encoder.a"), false);
@@ -139,7 +140,7 @@ void LiveStatesTest::thePinsAreThoseOfTheAxisThatIsSelected()
     workbench.shot.devices.push_back(boardAt("sim:spi"));
     selection.select({2}, 1);
     LiveStateBar bar(workbench, selection, m_theme);
-    bar.setWanted(true);
+    bar.setWanted(LiveStateBar::Wanted::Always);
     bar.resize(1100, bar.height());
     const QImage first = bar.grab().toImage();
     QCoreApplication::processEvents();
@@ -157,7 +158,7 @@ void LiveStatesTest::aMoveThatIsKeptIsSaidWithItsGlyph()
     workbench.shot.devices.push_back(drive());
     selection.select({1});
     LiveStateBar bar(workbench, selection, m_theme);
-    bar.setWanted(true);
+    bar.setWanted(LiveStateBar::Wanted::Always);
     QVERIFY(!bar.words().contains(QStringLiteral("keeps a move")));
     workbench.device(0).kept.state = KeptMove::State::Stale;
     workbench.publish();
@@ -165,6 +166,28 @@ void LiveStatesTest::aMoveThatIsKeptIsSaidWithItsGlyph()
     workbench.device(0).states.set(state("halted"), true);
     workbench.publish();
     QCOMPARE(bar.words(), QStringLiteral("keeps a move, halted"));
+}
+
+void LiveStatesTest::whereThereIsLittleRoomTheBarIsShownWhileSomethingHolds()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    selection.select({1});
+    LiveStateBar bar(workbench, selection, m_theme);
+    bar.setWanted(LiveStateBar::Wanted::IfSomethingHolds);
+    workbench.device(0).states.set(state("halted"), true);
+    workbench.publish();
+    QVERIFY(bar.isHidden());
+    workbench.device(0).states.set(state("limit.forward.switch"), true);
+    workbench.publish();
+    QVERIFY(!bar.isHidden());
+    workbench.device(0).states.set(state("limit.forward.switch"), false);
+    workbench.device(0).kept.state = KeptMove::State::Acknowledged;
+    workbench.publish();
+    QVERIFY(!bar.isHidden());
+    bar.setWanted(LiveStateBar::Wanted::Never);
+    QVERIFY(bar.isHidden());
 }
 
 void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()
@@ -179,7 +202,7 @@ void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()
     selection.select({1});
     LiveStateBar bar(workbench, selection, m_theme);
     QVERIFY(bar.isHidden());
-    bar.setWanted(true);
+    bar.setWanted(LiveStateBar::Wanted::Always);
     const QSize size = bar.sizeHint();
     for (std::uint16_t i = 0; i < dmc60c().states.size(); ++i) {
         workbench.device(0).states.set({i}, true);

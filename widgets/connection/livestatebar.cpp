@@ -23,7 +23,7 @@ LiveStateBar::LiveStateBar(Workbench &workbench, Selection &selection, const The
     hide();
 }
 
-void LiveStateBar::setWanted(bool wanted)
+void LiveStateBar::setWanted(Wanted wanted)
 {
     m_wanted = wanted;
     follow();
@@ -39,10 +39,16 @@ QSize LiveStateBar::minimumSizeHint() const
     return {1, m_theme.theme().u(26)};
 }
 
+bool LiveStateBar::isWantedFor(const DeviceView &device) const
+{
+    const bool holds = !alertsOf(device).isEmpty() || device.kept.state != KeptMove::State::None;
+    return m_wanted == Wanted::Always || (m_wanted == Wanted::IfSomethingHolds && holds);
+}
+
 void LiveStateBar::follow()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    setVisible(m_wanted && device && !device->family->states.empty());
+    setVisible(device && !device->family->states.empty() && isWantedFor(*device));
     if (isHidden())
         return;
     QStringList hold = alertsOf(*device) + conditionsText(*device);

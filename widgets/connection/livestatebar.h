@@ -15,8 +15,9 @@ class LiveStateBar : public QWidget {
     Q_OBJECT
 public:
     LiveStateBar(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
-    /// Wanted on this page; shown where the device tells something.
-    void setWanted(bool wanted);
+    enum class Wanted { Never, IfSomethingHolds, Always };
+    /// On this page, where the device tells something. IfSomethingHolds: a limit, or a move that waits in the device.
+    void setWanted(Wanted wanted);
     /// What is said of its limits.
     [[nodiscard]] const QString &words() const { return m_words; }
     QSize sizeHint() const override;
@@ -26,12 +27,13 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    [[nodiscard]] bool isWantedFor(const DeviceView &device) const;
     void follow();
 
     Workbench &m_workbench;
     Selection &m_selection;
     const ThemeSource &m_theme;
-    bool m_wanted = false;
+    Wanted m_wanted = Wanted::Never;
     LiveStates m_shown;
     DeviceId m_device;
     int m_axis = 0;
