@@ -18,8 +18,7 @@ using Kind = Verdict::Kind;
 
 constexpr double leastZoom = 0.4;
 constexpr double mostZoom = 1.8;
-constexpr int lowBox = 200;   ///< below it there is no room for a name under the word
-constexpr int lowWhole = 300; ///< below it there is none for a hint
+constexpr double smallPrint = 1.5; ///< from it on the picture is so small that the name stands beside the word
 
 /// As large as asked, smaller where the width needs it; letters grow in steps, so it is tried until they fit.
 QFont fitted(QFont font, const QString &text, int width)
@@ -194,7 +193,7 @@ int VerdictView::paintHead(QPainter &painter, const QRect &box, double print) co
     int height = paintLine(painter, words, large, colour(), word);
     QFont unit = theme.font(TextRole::Raw, font());
     unit.setPointSizeF(theme.bodyPointSize * 3.2);
-    const bool isLow = box.height() < theme.u(lowBox); // then beside the word, so that the cause has room
+    const bool isLow = print > smallPrint; // the cause needs the room
     const int past = isLow ? static_cast<int>(QFontMetricsF(large).horizontalAdvance(word)) + gap : 0;
     const QRect beside = words.adjusted(past, isLow ? 0 : height, 0, 0);
     const QFont named = fitted(unit, m_verdict.unit, beside.width());
@@ -252,7 +251,7 @@ int VerdictView::paintFacts(QPainter &painter, const QRect &box, double print) c
 }
 
 /// Cause and remedy in full: smaller where there is little room.
-void VerdictView::paintCause(QPainter &painter, const QRect &box) const
+void VerdictView::paintCause(QPainter &painter, const QRect &box, double print) const
 {
     constexpr double step = 0.94;
     constexpr double least = 0.5;
@@ -276,7 +275,7 @@ void VerdictView::paintCause(QPainter &painter, const QRect &box) const
         }
         return y;
     };
-    double scale = 1.0;
+    double scale = print;
     while (scale > least && paint(scale, false) > box.height())
         scale *= step;
     paint(scale, true);
@@ -304,7 +303,7 @@ void VerdictView::paintFoot(QPainter &painter, const QRect &box, double print) c
     painter.drawLine(box.left(), box.top(), box.right(), box.top());
     QFont words = theme.font(TextRole::Title, font());
     words.setPointSizeF(theme.bodyPointSize * 2.3);
-    const QRect inner = box.adjusted(theme.u(24), theme.u(12), -theme.u(24), 0);
+    const QRect inner = box.adjusted(theme.u(24), theme.u(print > smallPrint ? 4 : 12), -theme.u(24), 0);
     const int y = paintLine(painter, inner, fitted(words, m_verdict.next, inner.width()), theme.text, m_verdict.next);
     paintLine(painter, inner.adjusted(0, y, 0, 0), printed(theme.font(TextRole::Body, font()), print), theme.dim,
         m_verdict.hint);
@@ -325,7 +324,7 @@ void VerdictView::paintEvent(QPaintEvent *)
     painter.setPen(QPen(hasFocus() ? theme.accent : colour(), frame, Qt::SolidLine));
     painter.drawRoundedRect(whole.adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
     const int edge = theme.u(36);
-    const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(whole.height() < theme.u(lowWhole) ? 60 : 88);
+    const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
     const int spare = std::max(0, whole.height() - sizeHint().height()); // no empty half: all of it stands lower
     const QRect inner = whole.adjusted(edge, theme.u(16) + spare / 4, -edge, -foot - frame);
     int y = paintHead(painter, inner, print) + theme.u(12) + spare / 4;
@@ -333,7 +332,7 @@ void VerdictView::paintEvent(QPaintEvent *)
     if (m_verdict.kind == Kind::Working)
         paintProgress(painter, rest);
     else if (!m_verdict.cause.isEmpty())
-        paintCause(painter, rest);
+        paintCause(painter, rest, print);
     else
         paintFacts(painter, rest, print);
     paintFoot(painter, QRect(frame, whole.height() - foot, whole.width() - 2 * frame, foot), print);

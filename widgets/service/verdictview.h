@@ -53,7 +53,7 @@ private:
     int paintHead(QPainter &painter, const QRect &box, double print) const;
     void paintSeconds(QPainter &painter, const QRect &box, double print) const;
     int paintFacts(QPainter &painter, const QRect &box, double print) const;
-    void paintCause(QPainter &painter, const QRect &box) const;
+    void paintCause(QPainter &painter, const QRect &box, double print) const;
     void paintProgress(QPainter &painter, const QRect &box) const;
     void paintFoot(QPainter &painter, const QRect &box, double print) const;
     void announce();
