@@ -21,7 +21,7 @@ struct Words {
     QString go;
 };
 
-Words wordsOf(Unfinished::Kind kind, const QString &places)
+Words wordsOf(Unfinished::Kind kind, const QString &places, const QString &left)
 {
     switch (kind) {
     case Unfinished::Kind::Service:
@@ -32,8 +32,7 @@ Words wordsOf(Unfinished::Kind kind, const QString &places)
         return {Closing::tr("Samples are being written to %1. Cancel the export?").arg(places),
             Closing::tr("Nothing of it is kept then."), Closing::tr("Cancel the export and close")};
     case Unfinished::Kind::Update:
-        return {Closing::tr("Firmware is being written to %1. Cancel the update?").arg(places),
-            Closing::tr("The unit then waits in its bootloader, and the update can be run again."),
+        return {Closing::tr("Firmware is being written to %1. Cancel the update?").arg(places), left,
             Closing::tr("Cancel the update and close")};
     case Unfinished::Kind::Job: break;
     }
@@ -93,14 +92,17 @@ void Closing::askOrBegin()
         return begin();
     m_about = next->kind;
     QStringList places;
+    QStringList left;
     bool critical = false;
     for (const Unfinished &one : all) {
         if (one.kind != m_about)
             continue;
         places += one.what;
+        left += one.left;
         critical = critical || !one.mayInterrupt;
     }
-    const Words words = wordsOf(next->kind, places.join(QStringLiteral(", ")));
+    left.removeDuplicates();
+    const Words words = wordsOf(next->kind, places.join(QStringLiteral(", ")), left.join(QLatin1Char(' ')));
     const QAbstractButton &go = ask(words.question,
         critical ? tr("What is written now must not be cut: the window closes once it is over.") : words.detail,
         words.go);

@@ -19,6 +19,7 @@ struct Unfinished {
     Kind kind = Kind::Job;
     QString what;                 ///< the file, the unit, or what the job is called
     bool mayInterrupt = true;     ///< now
+    QString left;                 ///< of an update: what a cancel would leave now, a clause
     std::function<void()> cancel; ///< asks it to end, and to put back what it changed; empty: it is not asked
 };
 

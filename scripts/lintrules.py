@@ -207,12 +207,20 @@ FAMILY_EXAMPLES = {
 }
 
 
+# The same without its name: what only one of them has, in a text for people or in a comparison.
+FAMILY_FACT = re.compile(
+    r"\bjumpers?\b|\bsequence number\b|\bavrdude\b|\bopenocd\b|\bst-?link\b|\breset vector\b|\bEEPROM\b|\bnode ids?\b|\bpage 0\b"
+    r"|(?<![%\w])\d+ s\b[^\"]{0,60}\b(?:stores?|stored|proofs?|flash)\b|\b(?:stores?|stored|proofs?|flash)\b[^\"]{0,60}(?<![%\w])\d+ s\b"
+    r"|\b\d+ counts a turn\b|\"f[14]\"|\"throttle\"|\b(?:all|the) (?:two|three|four|five) families\b", re.IGNORECASE)
+
+
 def families(path, text, _code):
     if not is_cpp(path) or not path.startswith(("devices/", "widgets/", "app/")) or path.startswith("devices/families/"):
         return
     if path in FAMILY_EXAMPLES:
         return
-    for line, match in matches(FAMILY_NAME, without_comments(text)):
+    bare = without_comments(text)
+    for line, match in (*matches(FAMILY_NAME, bare), *matches(FAMILY_FACT, bare)):
         yield line, "error", f"{match[0]}: what is known of a family is data of its folder (model/family.h)"
 
 

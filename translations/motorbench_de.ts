@@ -70,10 +70,6 @@
         <translation>Identifizieren (blinken)</translation>
     </message>
     <message>
-        <source>blinks for 5 s</source>
-        <translation>blinkt 5 s lang</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Umbenennen…</translation>
     </message>
@@ -132,6 +128,10 @@
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>%1 lässt sich nicht öffnen: die Adresse einer Verbindung kann das Fragezeichen darin nicht aufnehmen. Datei umbenennen.</translation>
+    </message>
+    <message>
+        <source>blinks</source>
+        <translation>blinkt</translation>
     </message>
 </context>
 <context>
@@ -744,10 +744,6 @@
         <translation>Der ganze simulierte Prüfstand</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Regler aller vier Familien mit echtem Busverhalten; nichts Echtes kann sich bewegen.</translation>
-    </message>
-    <message>
         <source>Simulated CAN bus</source>
         <translation>Simulierter CAN-Bus</translation>
     </message>
@@ -780,18 +776,6 @@
         <translation>Ohne Hardware</translation>
     </message>
     <message>
-        <source>Controllers that share one bus, at its real speed.</source>
-        <translation>Regler an einem Bus, in seiner echten Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>Controllers on one line, in two dialects.</source>
-        <translation>Regler an einer Leitung, in zwei Dialekten.</translation>
-    </message>
-    <message>
-        <source>A board with four geared motors.</source>
-        <translation>Eine Platine mit vier Getriebemotoren.</translation>
-    </message>
-    <message>
         <source>Serial port</source>
         <translation>Serieller Anschluss</translation>
     </message>
@@ -802,6 +786,14 @@
     <message>
         <source>CAN interface</source>
         <translation>CAN-Schnittstelle</translation>
+    </message>
+    <message>
+        <source>%1, at the real speed of their link.</source>
+        <translation>%1, in der echten Geschwindigkeit ihrer Verbindung.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Steuerungen aller Familien mit echtem Zeitverhalten des Busses; nichts Echtes kann sich bewegen.</translation>
     </message>
 </context>
 <context>
@@ -1110,24 +1102,8 @@
         <translation>Die Scharf-Taste oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
     </message>
     <message>
-        <source>775pro</source>
-        <translation>775pro</translation>
-    </message>
-    <message>
-        <source>This one overshoots by about 20 %. Find gains that do not.</source>
-        <translation>Dieser schwingt um etwa 20 % über. Verstärkungen finden, die das nicht tun.</translation>
-    </message>
-    <message>
         <source>velocity, set-point dashed</source>
         <translation>Drehzahl, Sollwert gestrichelt</translation>
-    </message>
-    <message>
-        <source>CIM</source>
-        <translation>CIM</translation>
-    </message>
-    <message>
-        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
-        <translation>Ein blockierter CIM zieht mehr als 100 A, und nichts hält diesen zurück. Begrenzen.</translation>
     </message>
     <message>
         <source>current, limit dashed</source>
@@ -1142,32 +1118,12 @@
         <translation>%1 links in der Liste anklicken.</translation>
     </message>
     <message>
-        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>Auf der Seite Parameter die Stromgrenze einschalten (suchen: current_limit), auf das setzen, was der Motor darf, und schreiben.</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 schwingt über: in einer Minute gezähmt</translation>
     </message>
     <message>
-        <source>4096 counts a turn · %1</source>
-        <translation>4096 Schritte je Umdrehung · %1</translation>
-    </message>
-    <message>
         <source>%1 has no current limit: set one that saves it</source>
         <translation>%1 hat keine Stromgrenze: eine setzen, die ihn rettet</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
-        <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung · %1</translation>
-    </message>
-    <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
-        <translation>15 s nach der letzten Änderung speichert das Gerät von selbst. Danach auf der Seite Parameter „Speichern und nachweisen“ drücken: Fertig, wenn das Gerät nachweist, dass sein Flash die Verstärkungen hat.</translation>
-    </message>
-    <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
-        <translation>15 s nach der letzten Änderung speichert das Gerät von selbst. Danach auf der Seite Parameter „Speichern und nachweisen“ drücken.</translation>
     </message>
     <message>
         <source>Press %2: the motor steps to a speed and back, and the overshoot is measured.</source>
@@ -1198,14 +1154,6 @@
         <translation>%1 bleibt vor dem Ziel stehen: ans Ziel bringen</translation>
     </message>
     <message>
-        <source>N20 geared</source>
-        <translation>N20 mit Getriebe</translation>
-    </message>
-    <message>
-        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
-        <translation>Getriebe 75,81:1 · 32768 Schritte je Umdrehung · %1</translation>
-    </message>
-    <message>
         <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
         <translation>Dieser bleibt etwa %4 Schritte vor dem Ziel stehen, und dabei bleibt es. Ans Ziel bringen.</translation>
     </message>
@@ -1220,6 +1168,30 @@
     <message>
         <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
         <translation>Als Ziel (hinter ▸) %3 eingeben und %2 drücken: der Motor fährt hin und zurück und bleibt etwa %4 Schritte vor dem Ziel stehen.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>%6Auf der Seite Parameter „Speichern und nachweisen“ drücken: Fertig, wenn das Gerät nachweist, dass sein Flash die Verstärkungen hat.</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
+        <translation>Auf der Seite Parameter die Stromgrenze einschalten (suchen: %7), auf das setzen, was der Motor darf, und schreiben.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters.</source>
+        <translation>%6Auf der Seite Parameter „Speichern und nachweisen“ drücken.</translation>
+    </message>
+    <message>
+        <source>With these gains it goes too far. Find some with which it does not.</source>
+        <translation>Mit diesen Verstärkungen schwingt er über. Solche finden, mit denen er es nicht tut.</translation>
+    </message>
+    <message>
+        <source>Stalled, it draws all that its supply gives, and nothing holds it back. Limit it.</source>
+        <translation>Blockiert zieht er alles, was die Versorgung hergibt, und nichts hält ihn zurück. Begrenzen.</translation>
+    </message>
+    <message>
+        <source>It stores by itself %1 s after its last change: wait for that.</source>
+        <translation>%1 s nach der letzten Änderung speichert es von selbst: darauf warten.</translation>
     </message>
 </context>
 <context>
@@ -2714,10 +2686,6 @@
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
         <translation>Was jetzt geschrieben wird, darf nicht unterbrochen werden: Das Fenster schließt, sobald es fertig ist.</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader, and the update can be run again.</source>
-        <translation>Das Gerät wartet dann in seinem Bootloader, und die Aktualisierung kann wiederholt werden.</translation>
     </message>
     <message>
         <source>Cancel the update and close</source>
@@ -4592,10 +4560,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Identifizieren</translation>
     </message>
     <message>
-        <source>Blink the lamps of this unit for 5 s</source>
-        <translation>Lampen dieses Geräts 5 s blinken lassen</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Alle lesen</translation>
     </message>
@@ -4698,6 +4662,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>limits</source>
         <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Blink the lamps of this unit</source>
+        <translation>Die Lampen dieses Geräts blinken lassen</translation>
     </message>
 </context>
 <context>
@@ -7332,12 +7300,12 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Zurückgelesen und gleich. Versorgung noch nicht trennen.</translation>
     </message>
     <message>
-        <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>Das Gerät sollte selbst gespeichert haben. Der Nachweis dauert bis zu 20 s.</translation>
-    </message>
-    <message>
         <source>%1 more.</source>
         <translation>%1 weitere.</translation>
+    </message>
+    <message>
+        <source>The device should have stored by itself. Its own proof takes up to %1 s.</source>
+        <translation>Das Gerät sollte selbst gespeichert haben. Der Nachweis dauert bis zu %1 s.</translation>
     </message>
 </context>
 <context>
@@ -9283,10 +9251,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Simulierten Prüfstand öffnen</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Regler aller vier Familien mit echtem Busverhalten; nichts Echtes kann sich bewegen.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Weitermachen</translation>
     </message>
@@ -9325,6 +9289,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>No image (.hex) in this folder.</source>
         <translation>Kein Abbild (.hex) in diesem Ordner.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Steuerungen aller Familien mit echtem Zeitverhalten des Busses; nichts Echtes kann sich bewegen.</translation>
     </message>
 </context>
 <context>
@@ -11709,20 +11677,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 geschrieben, zurückgelesen und gleich</translation>
     </message>
     <message>
-        <source>stored, the flash sequence number advanced</source>
-        <translation>gespeichert, die Flash-Sequenznummer ist gestiegen</translation>
-    </message>
-    <message>
         <source>stored, not verifiable</source>
         <translation>gespeichert, nicht nachweisbar</translation>
     </message>
     <message>
         <source>Waiting until the device has written its flash</source>
         <translation>Warte, bis das Gerät seinen Flash geschrieben hat</translation>
-    </message>
-    <message>
-        <source>the device did not write its flash within 20 s</source>
-        <translation>das Gerät hat seinen Flash nicht innerhalb von 20 s geschrieben</translation>
     </message>
     <message>
         <source>%1 was %2 and is not known to be cleared</source>
@@ -18861,10 +18821,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>nicht symmetrisch</translation>
     </message>
     <message>
-        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
-        <translation>nichts antwortet: kein Strom, falsche Verdrahtung, eine andere Rate oder kein lauffähiges Programm; aktualisieren Sie es, oder setzen Sie es ohne die Brücke seines Bootloaders zurück</translation>
-    </message>
-    <message>
         <source>ramp</source>
         <translation>Rampe</translation>
     </message>
@@ -19055,6 +19011,46 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>left out before it was done</source>
         <translation>ausgelassen, bevor es fertig war</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn</source>
+        <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn</source>
+        <translation>4096 Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>reset it without the jumper of its bootloader</source>
+        <translation>setzen Sie es ohne die Brücke seines Bootloaders zurück</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 mit Getriebe</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn</source>
+        <translation>Getriebe 75,81:1 · 32768 Schritte je Umdrehung</translation>
+    </message>
+    <message>
+        <source>%1; update it</source>
+        <translation>%1; aktualisieren Sie es</translation>
+    </message>
+    <message>
+        <source>%1; update it, or %2</source>
+        <translation>%1; aktualisieren Sie es, oder %2</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs</source>
+        <translation>nichts antwortet: kein Strom, falsche Verdrahtung, eine andere Rate oder kein lauffähiges Programm</translation>
+    </message>
+    <message>
+        <source>stored, and the unit has proved it</source>
+        <translation>gespeichert, und das Gerät hat es nachgewiesen</translation>
+    </message>
+    <message>
+        <source>the device did not write its flash within %1 s</source>
+        <translation>das Gerät hat seinen Flash nicht innerhalb von %1 s geschrieben</translation>
     </message>
 </context>
 </TS>

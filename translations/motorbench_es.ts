@@ -70,10 +70,6 @@
         <translation>Identificar (parpadeo)</translation>
     </message>
     <message>
-        <source>blinks for 5 s</source>
-        <translation>parpadea durante 5 s</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Renombrar…</translation>
     </message>
@@ -132,6 +128,10 @@
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>No se puede abrir %1: la dirección de un enlace no admite el signo de interrogación que contiene. Renómbrelo.</translation>
+    </message>
+    <message>
+        <source>blinks</source>
+        <translation>parpadea</translation>
     </message>
 </context>
 <context>
@@ -744,32 +744,16 @@
         <translation>Todo el banco simulado</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Controladores de las cuatro familias con tiempos de bus reales; nada real puede moverse.</translation>
-    </message>
-    <message>
         <source>Simulated CAN bus</source>
         <translation>Bus CAN simulado</translation>
-    </message>
-    <message>
-        <source>Controllers that share one bus, at its real speed.</source>
-        <translation>Controladores que comparten un bus, a su velocidad real.</translation>
     </message>
     <message>
         <source>Simulated serial line</source>
         <translation>Línea serie simulada</translation>
     </message>
     <message>
-        <source>Controllers on one line, in two dialects.</source>
-        <translation>Controladores en una línea, en dos dialectos.</translation>
-    </message>
-    <message>
         <source>Simulated SPI board</source>
         <translation>Placa SPI simulada</translation>
-    </message>
-    <message>
-        <source>A board with four geared motors.</source>
-        <translation>Una placa con cuatro motorreductores.</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -802,6 +786,14 @@
     <message>
         <source>CAN interface</source>
         <translation>Interfaz CAN</translation>
+    </message>
+    <message>
+        <source>%1, at the real speed of their link.</source>
+        <translation>%1, a la velocidad real de su enlace.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Controladores de todas las familias con tiempos de bus reales; nada real puede moverse.</translation>
     </message>
 </context>
 <context>
@@ -1106,10 +1098,6 @@
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
-        <translation>15 s después de su último cambio, el equipo guarda por sí solo. Después pulse «Guardar y verificar» en la página Parámetros: listo cuando el equipo demuestre que su flash tiene las ganancias.</translation>
-    </message>
-    <message>
         <source>Click %1 in the list at the left.</source>
         <translation>Haga clic en %1 en la lista de la izquierda.</translation>
     </message>
@@ -1118,32 +1106,12 @@
         <translation>Limitar</translation>
     </message>
     <message>
-        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>En la página Parámetros active el límite de corriente (buscar: current_limit), fíjelo en lo que admite el motor y escriba.</translation>
-    </message>
-    <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
         <translation>Mantenga pulsado un segundo el botón Armar de arriba (o Ctrl+Mayús+F12).</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
-        <translation>15 s después de su último cambio, el equipo guarda por sí solo. Después pulse «Guardar y verificar» en la página Parámetros.</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 tiene sobreimpulso: dómelo en un minuto</translation>
-    </message>
-    <message>
-        <source>775pro</source>
-        <translation>775pro</translation>
-    </message>
-    <message>
-        <source>4096 counts a turn · %1</source>
-        <translation>4096 cuentas por vuelta · %1</translation>
-    </message>
-    <message>
-        <source>This one overshoots by about 20 %. Find gains that do not.</source>
-        <translation>Este tiene un sobreimpulso de un 20 %. Halle ganancias que no lo tengan.</translation>
     </message>
     <message>
         <source>velocity, set-point dashed</source>
@@ -1152,18 +1120,6 @@
     <message>
         <source>%1 has no current limit: set one that saves it</source>
         <translation>%1 no tiene límite de corriente: fije uno que lo salve</translation>
-    </message>
-    <message>
-        <source>CIM</source>
-        <translation>CIM</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
-        <translation>carga 9 × inercia del rotor · 4096 cuentas por vuelta · %1</translation>
-    </message>
-    <message>
-        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
-        <translation>Un CIM bloqueado consume más de 100 A y nada retiene a este. Limítelo.</translation>
     </message>
     <message>
         <source>current, limit dashed</source>
@@ -1198,14 +1154,6 @@
         <translation>%1 se queda corto: hágalo llegar</translation>
     </message>
     <message>
-        <source>N20 geared</source>
-        <translation>N20 con reductora</translation>
-    </message>
-    <message>
-        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
-        <translation>reductora 75,81:1 · 32768 cuentas por vuelta · %1</translation>
-    </message>
-    <message>
         <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
         <translation>Este se detiene unas %4 cuentas antes y ahí se queda. Hágalo llegar.</translation>
     </message>
@@ -1220,6 +1168,30 @@
     <message>
         <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
         <translation>Escriba %3 como destino (detrás de ▸) y pulse %2: el motor va y vuelve, y se detiene unas %4 cuentas antes.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>%6Pulse «Guardar y verificar» en la página Parámetros: listo cuando el equipo demuestre que su flash tiene las ganancias.</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
+        <translation>En la página Parámetros active el límite de corriente (buscar: %7), fíjelo en lo que admite el motor y escriba.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters.</source>
+        <translation>%6Pulse «Guardar y verificar» en la página Parámetros.</translation>
+    </message>
+    <message>
+        <source>With these gains it goes too far. Find some with which it does not.</source>
+        <translation>Con estas ganancias se pasa. Encuentre otras con las que no lo haga.</translation>
+    </message>
+    <message>
+        <source>Stalled, it draws all that its supply gives, and nothing holds it back. Limit it.</source>
+        <translation>Bloqueado, consume todo lo que da la alimentación, y nada lo frena. Limítelo.</translation>
+    </message>
+    <message>
+        <source>It stores by itself %1 s after its last change: wait for that.</source>
+        <translation>Guarda por sí solo %1 s después de su último cambio: espérelo.</translation>
     </message>
 </context>
 <context>
@@ -2714,10 +2686,6 @@
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
         <translation>Lo que se escribe ahora no debe interrumpirse: la ventana se cierra cuando termine.</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader, and the update can be run again.</source>
-        <translation>El equipo espera entonces en su bootloader y la actualización se puede repetir.</translation>
     </message>
     <message>
         <source>Cancel the update and close</source>
@@ -4592,10 +4560,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Identificar</translation>
     </message>
     <message>
-        <source>Blink the lamps of this unit for 5 s</source>
-        <translation>Hacer parpadear los LED de este equipo durante 5 s</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Leer todo</translation>
     </message>
@@ -4698,6 +4662,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>none</source>
         <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>Blink the lamps of this unit</source>
+        <translation>Hacer parpadear los LED de este equipo</translation>
     </message>
 </context>
 <context>
@@ -7332,12 +7300,12 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>Releído e igual. No corte aún la alimentación.</translation>
     </message>
     <message>
-        <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>El dispositivo debería haber guardado por sí mismo. Su propia verificación tarda hasta 20 s.</translation>
-    </message>
-    <message>
         <source>%1 more.</source>
         <translation>%1 más.</translation>
+    </message>
+    <message>
+        <source>The device should have stored by itself. Its own proof takes up to %1 s.</source>
+        <translation>El dispositivo debería haber guardado por sí mismo. Su propia verificación tarda hasta %1 s.</translation>
     </message>
 </context>
 <context>
@@ -9283,10 +9251,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>Abrir el banco simulado</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Controladores de las cuatro familias con tiempos de bus reales; nada real puede moverse.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuar</translation>
     </message>
@@ -9325,6 +9289,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>No image (.hex) in this folder.</source>
         <translation>No hay ninguna imagen (.hex) en esta carpeta.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Controladores de todas las familias con tiempos de bus reales; nada real puede moverse.</translation>
     </message>
 </context>
 <context>
@@ -16217,10 +16185,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>guardado, no verificable</translation>
     </message>
     <message>
-        <source>stored, the flash sequence number advanced</source>
-        <translation>guardado, el número de secuencia de la flash avanzó</translation>
-    </message>
-    <message>
         <source>stuff error</source>
         <translation>error de relleno (stuff)</translation>
     </message>
@@ -16475,10 +16439,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the device could not verify its flash</source>
         <translation>el dispositivo no pudo verificar su flash</translation>
-    </message>
-    <message>
-        <source>the device did not write its flash within 20 s</source>
-        <translation>el dispositivo no escribió su flash en 20 s</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -18861,10 +18821,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>no simétrico</translation>
     </message>
     <message>
-        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
-        <translation>nada responde: sin alimentación, mal cableado, otra velocidad o ningún programa en marcha; actualícelo, o reinícielo sin el puente de su bootloader</translation>
-    </message>
-    <message>
         <source>ramp</source>
         <translation>rampa</translation>
     </message>
@@ -19055,6 +19011,46 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>left out before it was done</source>
         <translation>omitida antes de terminar</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn</source>
+        <translation>carga 9 × inercia del rotor · 4096 cuentas por vuelta</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn</source>
+        <translation>4096 cuentas por vuelta</translation>
+    </message>
+    <message>
+        <source>reset it without the jumper of its bootloader</source>
+        <translation>reinícielo sin el puente de su bootloader</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 con reductora</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn</source>
+        <translation>reductora 75,81:1 · 32768 cuentas por vuelta</translation>
+    </message>
+    <message>
+        <source>%1; update it</source>
+        <translation>%1; actualícelo</translation>
+    </message>
+    <message>
+        <source>%1; update it, or %2</source>
+        <translation>%1; actualícelo, o %2</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs</source>
+        <translation>nada responde: sin alimentación, mal cableado, otra velocidad o ningún programa en marcha</translation>
+    </message>
+    <message>
+        <source>stored, and the unit has proved it</source>
+        <translation>guardado, y el equipo lo ha demostrado</translation>
+    </message>
+    <message>
+        <source>the device did not write its flash within %1 s</source>
+        <translation>el dispositivo no escribió su flash en %1 s</translation>
     </message>
 </context>
 </TS>

@@ -70,10 +70,6 @@
         <translation>Identifier (clignoter)</translation>
     </message>
     <message>
-        <source>blinks for 5 s</source>
-        <translation>clignote pendant 5 s</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>Renommer…</translation>
     </message>
@@ -132,6 +128,10 @@
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>Impossible d’ouvrir %1&#xa0;: l’adresse d’une liaison ne peut pas contenir de point d’interrogation. Renommez le fichier.</translation>
+    </message>
+    <message>
+        <source>blinks</source>
+        <translation>clignote</translation>
     </message>
 </context>
 <context>
@@ -744,32 +744,16 @@
         <translation>Le banc simulé complet</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
-    </message>
-    <message>
         <source>Simulated CAN bus</source>
         <translation>Bus CAN simulé</translation>
-    </message>
-    <message>
-        <source>Controllers that share one bus, at its real speed.</source>
-        <translation>Contrôleurs partageant un bus, à sa vitesse réelle.</translation>
     </message>
     <message>
         <source>Simulated serial line</source>
         <translation>Ligne série simulée</translation>
     </message>
     <message>
-        <source>Controllers on one line, in two dialects.</source>
-        <translation>Contrôleurs sur une ligne, en deux dialectes.</translation>
-    </message>
-    <message>
         <source>Simulated SPI board</source>
         <translation>Carte SPI simulée</translation>
-    </message>
-    <message>
-        <source>A board with four geared motors.</source>
-        <translation>Une carte avec quatre motoréducteurs.</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -802,6 +786,14 @@
     <message>
         <source>CAN interface</source>
         <translation>Interface CAN</translation>
+    </message>
+    <message>
+        <source>%1, at the real speed of their link.</source>
+        <translation>%1, à la vitesse réelle de leur liaison.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
     </message>
 </context>
 <context>
@@ -1106,10 +1098,6 @@
         <translation>Mémoriser</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
-        <translation>15 s après sa dernière modification, l’appareil mémorise de lui-même. Appuyez ensuite sur « Mémoriser et vérifier » à la page Paramètres : terminé lorsque l’appareil prouve que sa flash contient les gains.</translation>
-    </message>
-    <message>
         <source>Click %1 in the list at the left.</source>
         <translation>Cliquez sur %1 dans la liste à gauche.</translation>
     </message>
@@ -1118,32 +1106,12 @@
         <translation>Limiter</translation>
     </message>
     <message>
-        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>Dans la page Paramètres, activez la limite de courant (cherchez&#xa0;: current_limit), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
-    </message>
-    <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
         <translation>Maintenez le bouton Armer en haut pendant une seconde (ou Ctrl+Maj+F12).</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
-        <translation>15 s après sa dernière modification, l’appareil mémorise de lui-même. Appuyez ensuite sur « Mémoriser et vérifier » à la page Paramètres.</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 dépasse&#xa0;: domptez-le en une minute</translation>
-    </message>
-    <message>
-        <source>775pro</source>
-        <translation>775pro</translation>
-    </message>
-    <message>
-        <source>4096 counts a turn · %1</source>
-        <translation>4096 incréments par tour · %1</translation>
-    </message>
-    <message>
-        <source>This one overshoots by about 20 %. Find gains that do not.</source>
-        <translation>Celui-ci dépasse d’environ 20 %. Trouvez des gains qui ne le font pas.</translation>
     </message>
     <message>
         <source>velocity, set-point dashed</source>
@@ -1152,18 +1120,6 @@
     <message>
         <source>%1 has no current limit: set one that saves it</source>
         <translation>%1 n’a pas de limite de courant&#xa0;: fixez-en une qui le protège</translation>
-    </message>
-    <message>
-        <source>CIM</source>
-        <translation>CIM</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
-        <translation>charge 9 × l’inertie du rotor · 4096 incréments par tour · %1</translation>
-    </message>
-    <message>
-        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
-        <translation>Un CIM bloqué absorbe plus de 100 A, et rien ne retient celui-ci. Limitez-le.</translation>
     </message>
     <message>
         <source>current, limit dashed</source>
@@ -1198,14 +1154,6 @@
         <translation>%1 s’arrête avant la cible : faites-le arriver</translation>
     </message>
     <message>
-        <source>N20 geared</source>
-        <translation>N20 avec réducteur</translation>
-    </message>
-    <message>
-        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
-        <translation>réducteur 75,81:1 · 32768 incréments par tour · %1</translation>
-    </message>
-    <message>
         <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
         <translation>Celui-ci s’arrête environ %4 incréments avant la cible et y reste. Faites-le arriver.</translation>
     </message>
@@ -1220,6 +1168,30 @@
     <message>
         <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
         <translation>Entrez %3 comme cible (derrière ▸) et appuyez sur %2 : le moteur y va et revient, et s’arrête environ %4 incréments avant.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>%6Appuyez sur « Mémoriser et vérifier » à la page Paramètres : terminé lorsque l’appareil prouve que sa flash contient les gains.</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
+        <translation>Dans la page Paramètres, activez la limite de courant (cherchez : %7), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters.</source>
+        <translation>%6Appuyez sur « Mémoriser et vérifier » à la page Paramètres.</translation>
+    </message>
+    <message>
+        <source>With these gains it goes too far. Find some with which it does not.</source>
+        <translation>Avec ces gains, il va trop loin. Trouvez-en avec lesquels ce n’est pas le cas.</translation>
+    </message>
+    <message>
+        <source>Stalled, it draws all that its supply gives, and nothing holds it back. Limit it.</source>
+        <translation>Bloqué, il tire tout ce que donne l’alimentation, et rien ne le retient. Limitez-le.</translation>
+    </message>
+    <message>
+        <source>It stores by itself %1 s after its last change: wait for that.</source>
+        <translation>Il mémorise de lui-même %1 s après sa dernière modification : attendez-le.</translation>
     </message>
 </context>
 <context>
@@ -2714,10 +2686,6 @@
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
         <translation>L’écriture en cours ne doit pas être interrompue&#xa0;: la fenêtre se fermera dès qu’elle sera finie.</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader, and the update can be run again.</source>
-        <translation>L’appareil attend ensuite dans son bootloader, et la mise à jour peut être relancée.</translation>
     </message>
     <message>
         <source>Cancel the update and close</source>
@@ -4592,10 +4560,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Identifier</translation>
     </message>
     <message>
-        <source>Blink the lamps of this unit for 5 s</source>
-        <translation>Faire clignoter les voyants de cet appareil pendant 5 s</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Tout lire</translation>
     </message>
@@ -4698,6 +4662,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>none</source>
         <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Blink the lamps of this unit</source>
+        <translation>Faire clignoter les voyants de cet appareil</translation>
     </message>
 </context>
 <context>
@@ -7332,12 +7300,12 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>Relu et égal. Ne coupez pas encore l’alimentation.</translation>
     </message>
     <message>
-        <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>L’appareil devrait avoir mémorisé de lui-même. Sa propre vérification prend jusqu’à 20 s.</translation>
-    </message>
-    <message>
         <source>%1 more.</source>
         <translation>%1 de plus.</translation>
+    </message>
+    <message>
+        <source>The device should have stored by itself. Its own proof takes up to %1 s.</source>
+        <translation>L’appareil devrait avoir mémorisé de lui-même. Sa propre vérification prend jusqu’à %1 s.</translation>
     </message>
 </context>
 <context>
@@ -9283,10 +9251,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>Ouvrir le banc simulé</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs des quatre familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>Continuer</translation>
     </message>
@@ -9325,6 +9289,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>No image (.hex) in this folder.</source>
         <translation>Aucune image (.hex) dans ce dossier.</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
     </message>
 </context>
 <context>
@@ -16217,10 +16185,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>mémorisé, non vérifiable</translation>
     </message>
     <message>
-        <source>stored, the flash sequence number advanced</source>
-        <translation>mémorisé, le numéro de séquence de la flash a avancé</translation>
-    </message>
-    <message>
         <source>stuff error</source>
         <translation>erreur de bourrage</translation>
     </message>
@@ -16475,10 +16439,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the device could not verify its flash</source>
         <translation>l’appareil n’a pas pu vérifier sa flash</translation>
-    </message>
-    <message>
-        <source>the device did not write its flash within 20 s</source>
-        <translation>l’appareil n’a pas écrit sa flash en 20 s</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -18861,10 +18821,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>non symétrique</translation>
     </message>
     <message>
-        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
-        <translation>rien ne répond : pas d’alimentation, mauvais câblage, un autre débit ou aucun programme qui tourne ; mettez-le à jour, ou réinitialisez-le sans le cavalier de son bootloader</translation>
-    </message>
-    <message>
         <source>ramp</source>
         <translation>rampe</translation>
     </message>
@@ -19055,6 +19011,46 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>left out before it was done</source>
         <translation>laissé de côté avant la fin</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn</source>
+        <translation>charge 9 × l’inertie du rotor · 4096 incréments par tour</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn</source>
+        <translation>4096 incréments par tour</translation>
+    </message>
+    <message>
+        <source>reset it without the jumper of its bootloader</source>
+        <translation>réinitialisez-le sans le cavalier de son bootloader</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>N20 avec réducteur</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn</source>
+        <translation>réducteur 75,81:1 · 32768 incréments par tour</translation>
+    </message>
+    <message>
+        <source>%1; update it</source>
+        <translation>%1 ; mettez-le à jour</translation>
+    </message>
+    <message>
+        <source>%1; update it, or %2</source>
+        <translation>%1 ; mettez-le à jour, ou %2</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs</source>
+        <translation>rien ne répond : pas d’alimentation, mauvais câblage, un autre débit ou aucun programme qui tourne</translation>
+    </message>
+    <message>
+        <source>stored, and the unit has proved it</source>
+        <translation>mémorisé, et l’appareil l’a prouvé</translation>
+    </message>
+    <message>
+        <source>the device did not write its flash within %1 s</source>
+        <translation>l’appareil n’a pas écrit sa flash en %1 s</translation>
     </message>
 </context>
 </TS>

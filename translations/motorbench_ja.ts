@@ -70,10 +70,6 @@
         <translation>識別 (点滅)</translation>
     </message>
     <message>
-        <source>blinks for 5 s</source>
-        <translation>5 s 間点滅します</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>名前の変更…</translation>
     </message>
@@ -132,6 +128,10 @@
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>%1 を開けません: リンクアドレスにはファイル名の疑問符を入れられません。ファイル名を変更してください。</translation>
+    </message>
+    <message>
+        <source>blinks</source>
+        <translation>点滅します</translation>
     </message>
 </context>
 <context>
@@ -744,32 +744,16 @@
         <translation>シミュレーションベンチ全体</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>実際のバスタイミングで動く 4 ファミリすべてのコントローラ。実物は動きません。</translation>
-    </message>
-    <message>
         <source>Simulated CAN bus</source>
         <translation>シミュレーション CAN バス</translation>
-    </message>
-    <message>
-        <source>Controllers that share one bus, at its real speed.</source>
-        <translation>1 本のバスを実際の速度で共有するコントローラ。</translation>
     </message>
     <message>
         <source>Simulated serial line</source>
         <translation>シミュレーションシリアル回線</translation>
     </message>
     <message>
-        <source>Controllers on one line, in two dialects.</source>
-        <translation>1 本の回線上の、2 種類のダイアレクトのコントローラ。</translation>
-    </message>
-    <message>
         <source>Simulated SPI board</source>
         <translation>シミュレーション SPI 基板</translation>
-    </message>
-    <message>
-        <source>A board with four geared motors.</source>
-        <translation>ギヤモーター 4 台付きの基板。</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -802,6 +786,14 @@
     <message>
         <source>CAN interface</source>
         <translation>CAN インターフェース</translation>
+    </message>
+    <message>
+        <source>%1, at the real speed of their link.</source>
+        <translation>%1。リンクの実際の速度で動きます。</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>実際のバスタイミングで動くすべてのファミリのコントローラ。実物は動きません。</translation>
     </message>
 </context>
 <context>
@@ -1105,10 +1097,6 @@
         <translation>保存</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
-        <translation>最後の変更から 15 s 後に機器は自動で保存します。その後、「パラメータ」ページで「保存して検証」を押してください。機器のフラッシュにゲインがあることが証明されると完了です。</translation>
-    </message>
-    <message>
         <source>Click %1 in the list at the left.</source>
         <translation>左のリストで %1 をクリックします。</translation>
     </message>
@@ -1117,32 +1105,12 @@
         <translation>制限</translation>
     </message>
     <message>
-        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>「パラメータ」ページで電流制限をオンにし (検索: current_limit)、モーターの許容値に設定して書き込みます。</translation>
-    </message>
-    <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
         <translation>上部の駆動許可ボタンを 1 秒間押し続けます (または Ctrl+Shift+F12)。</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
-        <translation>最後の変更から 15 s 後に機器は自動で保存します。その後、「パラメータ」ページで「保存して検証」を押してください。</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 がオーバーシュート: 1 分で抑える</translation>
-    </message>
-    <message>
-        <source>775pro</source>
-        <translation>775pro</translation>
-    </message>
-    <message>
-        <source>4096 counts a turn · %1</source>
-        <translation>1 回転 4096 カウント · %1</translation>
-    </message>
-    <message>
-        <source>This one overshoots by about 20 %. Find gains that do not.</source>
-        <translation>約 20 % オーバーシュートします。オーバーシュートしないゲインを見つけましょう。</translation>
     </message>
     <message>
         <source>velocity, set-point dashed</source>
@@ -1151,18 +1119,6 @@
     <message>
         <source>%1 has no current limit: set one that saves it</source>
         <translation>%1 に電流制限なし: 保護する値を設定</translation>
-    </message>
-    <message>
-        <source>CIM</source>
-        <translation>CIM</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
-        <translation>負荷はロータ慣性の 9 倍 · 1 回転 4096 カウント · %1</translation>
-    </message>
-    <message>
-        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
-        <translation>拘束された CIM は 100 A 以上を流しますが、これには制限がありません。制限を設定しましょう。</translation>
     </message>
     <message>
         <source>current, limit dashed</source>
@@ -1197,14 +1153,6 @@
         <translation>%1 が手前で止まる: 目標まで届かせる</translation>
     </message>
     <message>
-        <source>N20 geared</source>
-        <translation>ギア付き N20</translation>
-    </message>
-    <message>
-        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
-        <translation>ギア 75.81:1 · 1 回転 32768 カウント · %1</translation>
-    </message>
-    <message>
         <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
         <translation>約 %4 カウント手前で止まったままになります。目標まで届かせましょう。</translation>
     </message>
@@ -1219,6 +1167,30 @@
     <message>
         <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
         <translation>目標 (▸ の後) に %3 を入力して %2 を押します: モータは往復し、約 %4 カウント手前で止まります。</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>%6「パラメータ」ページで「保存して検証」を押してください。機器のフラッシュにゲインがあることが証明されると完了です。</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
+        <translation>「パラメータ」ページで電流制限をオンにし (検索: %7)、モーターの許容値に設定して書き込みます。</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters.</source>
+        <translation>%6「パラメータ」ページで「保存して検証」を押してください。</translation>
+    </message>
+    <message>
+        <source>With these gains it goes too far. Find some with which it does not.</source>
+        <translation>このゲインでは行き過ぎます。行き過ぎないゲインを見つけてください。</translation>
+    </message>
+    <message>
+        <source>Stalled, it draws all that its supply gives, and nothing holds it back. Limit it.</source>
+        <translation>拘束されると電源が出せるだけの電流が流れ、抑えるものがありません。制限してください。</translation>
+    </message>
+    <message>
+        <source>It stores by itself %1 s after its last change: wait for that.</source>
+        <translation>最後の変更から %1 s 後に自動で保存します。それを待ってください。</translation>
     </message>
 </context>
 <context>
@@ -2712,10 +2684,6 @@
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
         <translation>現在の書込みは中断できません: 終わりしだいウィンドウを閉じます。</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader, and the update can be run again.</source>
-        <translation>機器はブートローダで待機し、更新を再実行できます。</translation>
     </message>
     <message>
         <source>Cancel the update and close</source>
@@ -4587,10 +4555,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>識別</translation>
     </message>
     <message>
-        <source>Blink the lamps of this unit for 5 s</source>
-        <translation>この機器のランプを 5 s 間点滅させます</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>すべて読出し</translation>
     </message>
@@ -4693,6 +4657,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>none</source>
         <translation>なし</translation>
+    </message>
+    <message>
+        <source>Blink the lamps of this unit</source>
+        <translation>この機器のランプを点滅させます</translation>
     </message>
 </context>
 <context>
@@ -7322,12 +7290,12 @@ double click or End returns to the present · right click for more</source>
         <translation>読み戻して一致しました。まだ電源を切らないでください。</translation>
     </message>
     <message>
-        <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>機器は自動保存を終えているはずです。機器による証明には最大 20 s かかります。</translation>
-    </message>
-    <message>
         <source>%1 more.</source>
         <translation>ほか %1 個。</translation>
+    </message>
+    <message>
+        <source>The device should have stored by itself. Its own proof takes up to %1 s.</source>
+        <translation>機器は自動保存を終えているはずです。機器による証明には最大 %1 s かかります。</translation>
     </message>
 </context>
 <context>
@@ -9271,10 +9239,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>シミュレーションベンチを開く</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>実際のバスタイミングで動く 4 ファミリすべてのコントローラ。実物は動きません。</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>続ける</translation>
     </message>
@@ -9313,6 +9277,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>No image (.hex) in this folder.</source>
         <translation>このフォルダにイメージ (.hex) はありません。</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>実際のバスタイミングで動くすべてのファミリのコントローラ。実物は動きません。</translation>
     </message>
 </context>
 <context>
@@ -16200,10 +16168,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>保存しましたが、検証できません</translation>
     </message>
     <message>
-        <source>stored, the flash sequence number advanced</source>
-        <translation>保存しました。フラッシュのシーケンス番号が進みました</translation>
-    </message>
-    <message>
         <source>stuff error</source>
         <translation>スタッフエラー</translation>
     </message>
@@ -16458,10 +16422,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the device could not verify its flash</source>
         <translation>機器がフラッシュを検証できませんでした</translation>
-    </message>
-    <message>
-        <source>the device did not write its flash within 20 s</source>
-        <translation>機器が 20 s 以内にフラッシュへ書き込みませんでした</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -18844,10 +18804,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>非対称</translation>
     </message>
     <message>
-        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
-        <translation>応答がありません：電源がない、配線が違う、速度が違う、または動作するプログラムがありません。更新するか、ブートローダのジャンパを外してリセットしてください</translation>
-    </message>
-    <message>
         <source>ramp</source>
         <translation>ランプ</translation>
     </message>
@@ -19038,6 +18994,46 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>left out before it was done</source>
         <translation>完了前に除外されました</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn</source>
+        <translation>負荷はロータ慣性の 9 倍 · 1 回転 4096 カウント</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn</source>
+        <translation>1 回転 4096 カウント</translation>
+    </message>
+    <message>
+        <source>reset it without the jumper of its bootloader</source>
+        <translation>ブートローダのジャンパを外してリセットしてください</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>ギア付き N20</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn</source>
+        <translation>ギア 75.81:1 · 1 回転 32768 カウント</translation>
+    </message>
+    <message>
+        <source>%1; update it</source>
+        <translation>%1。更新してください</translation>
+    </message>
+    <message>
+        <source>%1; update it, or %2</source>
+        <translation>%1。更新するか、%2</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs</source>
+        <translation>応答がありません：電源がない、配線が違う、速度が違う、または動作するプログラムがありません</translation>
+    </message>
+    <message>
+        <source>stored, and the unit has proved it</source>
+        <translation>保存しました。機器が証明しました</translation>
+    </message>
+    <message>
+        <source>the device did not write its flash within %1 s</source>
+        <translation>機器が %1 s 以内にフラッシュへ書き込みませんでした</translation>
     </message>
 </context>
 </TS>

@@ -70,10 +70,6 @@
         <translation>识别（闪烁）</translation>
     </message>
     <message>
-        <source>blinks for 5 s</source>
-        <translation>闪烁 5 s</translation>
-    </message>
-    <message>
         <source>Rename…</source>
         <translation>重命名…</translation>
     </message>
@@ -132,6 +128,10 @@
     <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>无法打开 %1：链路地址中不能包含文件名里的问号。请重命名文件。</translation>
+    </message>
+    <message>
+        <source>blinks</source>
+        <translation>闪烁</translation>
     </message>
 </context>
 <context>
@@ -744,32 +744,16 @@
         <translation>完整仿真台架</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>四个系列的控制器，具有真实的总线时序；不会使任何真实电机运动。</translation>
-    </message>
-    <message>
         <source>Simulated CAN bus</source>
         <translation>仿真 CAN 总线</translation>
-    </message>
-    <message>
-        <source>Controllers that share one bus, at its real speed.</source>
-        <translation>共用一条总线的控制器，以真实速率运行。</translation>
     </message>
     <message>
         <source>Simulated serial line</source>
         <translation>仿真串行线路</translation>
     </message>
     <message>
-        <source>Controllers on one line, in two dialects.</source>
-        <translation>一条线路上的控制器，使用两种方言。</translation>
-    </message>
-    <message>
         <source>Simulated SPI board</source>
         <translation>仿真 SPI 板卡</translation>
-    </message>
-    <message>
-        <source>A board with four geared motors.</source>
-        <translation>带四台减速电机的板卡。</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -802,6 +786,14 @@
     <message>
         <source>CAN interface</source>
         <translation>CAN 接口</translation>
+    </message>
+    <message>
+        <source>%1, at the real speed of their link.</source>
+        <translation>%1，以其链路的真实速度运行。</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>所有系列的控制器，具有真实的总线时序；不会使任何真实电机运动。</translation>
     </message>
 </context>
 <context>
@@ -1105,10 +1097,6 @@
         <translation>存储</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
-        <translation>最后一次更改后 15 s，设备会自行存储。然后在“参数”页面按“存储并验证”：设备证实其闪存中已有这些增益即告完成。</translation>
-    </message>
-    <message>
         <source>Click %1 in the list at the left.</source>
         <translation>在左侧列表中单击 %1。</translation>
     </message>
@@ -1117,32 +1105,12 @@
         <translation>限制</translation>
     </message>
     <message>
-        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
-        <translation>在“参数”页面打开电流限制（搜索：current_limit），设为电机允许的值，然后写入。</translation>
-    </message>
-    <message>
         <source>Hold the Arm button at the top for one second (or Ctrl+Shift+F12).</source>
         <translation>按住顶部的解锁按钮一秒钟（或按 Ctrl+Shift+F12）。</translation>
     </message>
     <message>
-        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
-        <translation>最后一次更改后 15 s，设备会自行存储。然后在“参数”页面按“存储并验证”。</translation>
-    </message>
-    <message>
         <source>%1 overshoots: tame it in a minute</source>
         <translation>%1 超调：一分钟内驯服它</translation>
-    </message>
-    <message>
-        <source>775pro</source>
-        <translation>775pro</translation>
-    </message>
-    <message>
-        <source>4096 counts a turn · %1</source>
-        <translation>每转 4096 个计数 · %1</translation>
-    </message>
-    <message>
-        <source>This one overshoots by about 20 %. Find gains that do not.</source>
-        <translation>这台电机超调约 20 %。请找出不超调的增益。</translation>
     </message>
     <message>
         <source>velocity, set-point dashed</source>
@@ -1151,18 +1119,6 @@
     <message>
         <source>%1 has no current limit: set one that saves it</source>
         <translation>%1 没有电流限制：设置一个来保护它</translation>
-    </message>
-    <message>
-        <source>CIM</source>
-        <translation>CIM</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
-        <translation>负载 9 × 转子惯量 · 每转 4096 个计数 · %1</translation>
-    </message>
-    <message>
-        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
-        <translation>堵转的 CIM 电流超过 100 A，而这台没有任何限制。请加以限制。</translation>
     </message>
     <message>
         <source>current, limit dashed</source>
@@ -1197,14 +1153,6 @@
         <translation>%1 停在目标之前：让它到位</translation>
     </message>
     <message>
-        <source>N20 geared</source>
-        <translation>带减速箱的 N20</translation>
-    </message>
-    <message>
-        <source>gear 75.81:1 · 32768 counts a turn · %1</source>
-        <translation>减速比 75.81:1 · 每转 32768 个计数 · %1</translation>
-    </message>
-    <message>
         <source>This one stops about %4 counts short and stays there. Make it arrive.</source>
         <translation>这台电机停在目标前约 %4 个计数处，不再移动。请让它到位。</translation>
     </message>
@@ -1219,6 +1167,30 @@
     <message>
         <source>Enter %3 as the target (behind ▸) and press %2: the motor goes there and back, and stops about %4 counts short.</source>
         <translation>在目标处（▸ 之后）输入 %3，然后按 %2：电机往返一次，并停在目标前约 %4 个计数处。</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>%6在“参数”页面按“存储并验证”：设备证实其闪存中已有这些增益即告完成。</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
+        <translation>在“参数”页面打开电流限制（搜索：%7），设为电机允许的值，然后写入。</translation>
+    </message>
+    <message>
+        <source>%6Press Store and prove on the page Parameters.</source>
+        <translation>%6在“参数”页面按“存储并验证”。</translation>
+    </message>
+    <message>
+        <source>With these gains it goes too far. Find some with which it does not.</source>
+        <translation>用这些增益它会超调。请找到不超调的增益。</translation>
+    </message>
+    <message>
+        <source>Stalled, it draws all that its supply gives, and nothing holds it back. Limit it.</source>
+        <translation>堵转时它会吸取电源能给的全部电流，没有任何限制。请加以限制。</translation>
+    </message>
+    <message>
+        <source>It stores by itself %1 s after its last change: wait for that.</source>
+        <translation>最后一次更改后 %1 s，它会自行存储：请等待。</translation>
     </message>
 </context>
 <context>
@@ -2712,10 +2684,6 @@
     <message>
         <source>What is written now must not be cut: the window closes once it is over.</source>
         <translation>正在写入的内容不得中断：写完后窗口才会关闭。</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader, and the update can be run again.</source>
-        <translation>之后设备在其引导程序中等待，可以再次运行更新。</translation>
     </message>
     <message>
         <source>Cancel the update and close</source>
@@ -4587,10 +4555,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>识别</translation>
     </message>
     <message>
-        <source>Blink the lamps of this unit for 5 s</source>
-        <translation>使此设备的指示灯闪烁 5 s</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>全部读取</translation>
     </message>
@@ -4693,6 +4657,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>none</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>Blink the lamps of this unit</source>
+        <translation>使此设备的指示灯闪烁</translation>
     </message>
 </context>
 <context>
@@ -7322,12 +7290,12 @@ double click or End returns to the present · right click for more</source>
         <translation>已回读且一致。请勿断电。</translation>
     </message>
     <message>
-        <source>The device should have stored by itself. Its own proof takes up to 20 s.</source>
-        <translation>设备应已自动存储。其自身的证实最多需要 20 s。</translation>
-    </message>
-    <message>
         <source>%1 more.</source>
         <translation>另有 %1 项。</translation>
+    </message>
+    <message>
+        <source>The device should have stored by itself. Its own proof takes up to %1 s.</source>
+        <translation>设备应已自动存储。其自身的证实最多需要 %1 s。</translation>
     </message>
 </context>
 <context>
@@ -9271,10 +9239,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>打开仿真台架</translation>
     </message>
     <message>
-        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
-        <translation>四个系列的控制器，具有真实的总线时序；不会使任何真实电机运动。</translation>
-    </message>
-    <message>
         <source>Continue</source>
         <translation>继续</translation>
     </message>
@@ -9313,6 +9277,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>No image (.hex) in this folder.</source>
         <translation>此文件夹中没有映像 (.hex)。</translation>
+    </message>
+    <message>
+        <source>Controllers of every family with real bus timing; nothing real can move.</source>
+        <translation>所有系列的控制器，具有真实的总线时序；不会使任何真实电机运动。</translation>
     </message>
 </context>
 <context>
@@ -16200,10 +16168,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已存储，无法验证</translation>
     </message>
     <message>
-        <source>stored, the flash sequence number advanced</source>
-        <translation>已存储，闪存序号已递增</translation>
-    </message>
-    <message>
         <source>stuff error</source>
         <translation>位填充错误</translation>
     </message>
@@ -16458,10 +16422,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the device could not verify its flash</source>
         <translation>设备无法校验其闪存</translation>
-    </message>
-    <message>
-        <source>the device did not write its flash within 20 s</source>
-        <translation>设备未在 20 s 内写入其闪存</translation>
     </message>
     <message>
         <source>the device does not answer</source>
@@ -18844,10 +18804,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>不对称</translation>
     </message>
     <message>
-        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or reset it without the jumper of its bootloader</source>
-        <translation>无应答：没有电源、接线错误、速率不同，或没有可运行的程序；请更新它，或取下其引导程序的跳线后复位</translation>
-    </message>
-    <message>
         <source>ramp</source>
         <translation>斜坡</translation>
     </message>
@@ -19038,6 +18994,46 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>left out before it was done</source>
         <translation>未完成即被跳过</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn</source>
+        <translation>负载 9 × 转子惯量 · 每转 4096 个计数</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn</source>
+        <translation>每转 4096 个计数</translation>
+    </message>
+    <message>
+        <source>reset it without the jumper of its bootloader</source>
+        <translation>取下其引导程序的跳线后复位</translation>
+    </message>
+    <message>
+        <source>N20 geared</source>
+        <translation>带减速箱的 N20</translation>
+    </message>
+    <message>
+        <source>gear 75.81:1 · 32768 counts a turn</source>
+        <translation>减速比 75.81:1 · 每转 32768 个计数</translation>
+    </message>
+    <message>
+        <source>%1; update it</source>
+        <translation>%1；请更新它</translation>
+    </message>
+    <message>
+        <source>%1; update it, or %2</source>
+        <translation>%1；请更新它，或%2</translation>
+    </message>
+    <message>
+        <source>nothing answers: no power, wrong wiring, another rate, or no program that runs</source>
+        <translation>无应答：没有电源、接线错误、速率不同，或没有可运行的程序</translation>
+    </message>
+    <message>
+        <source>stored, and the unit has proved it</source>
+        <translation>已存储，并由设备证实</translation>
+    </message>
+    <message>
+        <source>the device did not write its flash within %1 s</source>
+        <translation>设备未在 %1 s 内写入其闪存</translation>
     </message>
 </context>
 </TS>

@@ -64,7 +64,8 @@ std::string valuesOfOptions(std::span<const Family *const> families)
     return R"(    case "$before" in
     --file|--out|--save|--export) words="FILES"; return ;;
     --theme) words="dark light contrast system"; return ;;
-    --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
+    --target) [ "$verb" = flash ] && words=")"
+        + wordsOf(targetWords(families)) + R"("; return ;;
     --size) [ "$verb" = report ] && words=")"
         + wordsOf(reportSizes) + R"("; return ;;
     --loop) words=")"
@@ -217,6 +218,7 @@ std::string forFish(std::span<const Family *const> families)
     take("tune", "aim", wordsOf(aimWords()));
     take("step", "profile", wordsOf(profileWords()));
     take("report", "size", wordsOf(reportSizes));
+    take("flash", "target", wordsOf(targetWords(families)));
     take("decode monitor", "dialect", wordsOf(dialectWords(families)));
     for (const Family *family : families) {
         const std::string device = "string match -q \"*/" + std::string(family->key) + ":*\" (commandline -opc)";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/notebook.h"
+#include "app/console/optionwords.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -8,6 +9,7 @@
 #include "async/noncopyable.h"
 #include "files/filebytes.h"
 #include "model/operation.h"
+#include "model/registry.h"
 #include "model/standstill.h"
 #include "model/transcript.h"
 #include "service/preflight.h"
@@ -46,11 +48,12 @@ Result<void> readWay(UpdateOptions &options)
 }
 
 /// `--via`, `--target` and `--erase-settings` against what the family has; its update() looks at them in detail.
-Result<void> checkRoute(const Family &family, const UpdateOptions &options)
+Result<void> checkRoute(std::span<const Family *const> families, const Family &family, const UpdateOptions &options)
 {
     const std::string &target = options.target;
-    if (!target.empty() && target != "f1" && target != "f4")
-        return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("f1 and f4 are known"));
+    const std::vector<std::string_view> known = targetWords(families);
+    if (!target.empty() && std::ranges::find(known, target) == known.end())
+        return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("%1 are known", joined(known)));
     const auto hasOne = [](const UpdateRoute &route) { return route.targets.empty(); };
     if (!target.empty() && std::ranges::all_of(family.routes, hasOne))
         return fail(Fault::Usage, say("%1 has one kind of chip", family.title), say("leave out --target"));
@@ -62,16 +65,16 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
             say("leave the other way in out"));
     if (family.routes.empty())
         return {};
-    std::string ways;
     for (const UpdateRoute &route : family.routes) {
         if (options.via.starts_with(std::string(route.scheme) + ':')) {
             if (route.targets.empty() || std::ranges::find(route.targets, target) != route.targets.end())
                 return {};
-            return fail(Fault::Usage, say("--target is missing"), say("%1 needs f1 or f4", family.key));
+            return fail(Fault::Usage, say("--target is missing"),
+                say("%1 needs one of: %2", family.key, joined({route.targets.begin(), route.targets.end()})));
         }
-        ways += (ways.empty() ? "" : " or ") + std::string(route.example);
     }
-    return fail(Fault::Usage, say("%1 is not updated over its own link", family.key), say("add --via %1", ways));
+    return fail(Fault::Usage, say("%1 is not updated over its own link", family.key),
+        say("add --via %1", waysOf(family.routes, " or ")));
 }
 
 Result<FlashPlan> check(const Console &console, FlashArguments &arguments)
@@ -82,7 +85,7 @@ Result<FlashPlan> check(const Console &console, FlashArguments &arguments)
     const std::string name(family.key);
     if (!family.update)
         return fail(Fault::Unsupported, say("%1 has no firmware update here", name), say("use the maker's tool"));
-    MB_TRY_VOID(checkRoute(family, arguments.options));
+    MB_TRY_VOID(checkRoute(console.families(), family, arguments.options));
     MB_TRY(const auto bytes, loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize)));
     auto parsed
         = FirmwareImage::fromIntelHex(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
@@ -95,6 +98,16 @@ Result<FlashPlan> check(const Console &console, FlashArguments &arguments)
     }
     target.mayBeSilent = true; // it may hold half a program
     return FlashPlan{std::move(target), std::move(*parsed)};
+}
+
+std::string viaHelp()
+{
+    std::string ways;
+    for (const Family *family : families()) {
+        if (!family->routes.empty())
+            ways += (ways.empty() ? "" : ", ") + waysOf(family->routes, ", ");
+    }
+    return "The other way in, such as " + ways;
 }
 
 /// Runs the update as an operation: shows its progress, and cancels it on a signal as soon as that does no harm.
@@ -262,9 +275,9 @@ Job declareFlash(CLI::App &arguments)
     arguments.add_option("file", a->file, "Intel HEX")->required();
     arguments.add_flag("--dry-run", a->options.dryRun, "Preflight only, nothing is written");
     arguments.add_flag("--force", a->options.force, "Write even if the device has this version");
+    arguments.add_option("--via", a->options.via, viaHelp());
     arguments.add_option(
-        "--via", a->options.via, "The other way in: a serial link, avrdude:PROGRAMMER:PORT, openocd:INTERFACE");
-    arguments.add_option("--target", a->options.target, "f1 or f4");
+        "--target", a->options.target, "The chip, where there are several: " + joined(targetWords(families())));
     arguments.add_flag("--erase-settings", a->options.eraseSettings,
         "Erase what the unit has stored as well, where the way in can; its gains are lost");
     return [a](Console &console) { return flash(console, *a); };

@@ -261,7 +261,7 @@ Task<std::vector<std::string>> owedTo(Console &console, Device &device)
 Task<int> info(Console &console, FactsArguments arguments)
 {
     auto target = co_await parseTarget(console, arguments.device);
-    target.mayBeSilent = mayWaitInBootloader(target);
+    target.mayBeSilent = target.family->capabilities.bootloaderElsewhere;
     const auto kept = co_await parseAll(*target.family, arguments.keep);
     Device *const device = co_await connect(console, target);
     co_await keep(console, *device, kept);

@@ -84,7 +84,7 @@ Job declareNumber(CLI::App &arguments)
 {
     const auto a = std::make_shared<NumberArguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
-    arguments.add_option("new", a->number, "Its new device number or node id")->required();
+    arguments.add_option("new", a->number, "Its new number")->required();
     return [a](Console &console) { return renumber(console, *a); };
 }
 

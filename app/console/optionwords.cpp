@@ -36,4 +36,22 @@ std::vector<std::string_view> dialectWords(std::span<const Family *const> famili
     return words;
 }
 
+std::vector<std::string_view> targetWords(std::span<const Family *const> families)
+{
+    std::vector<std::string_view> words;
+    for (const Family *family : families) {
+        for (const UpdateRoute &route : family->routes)
+            words.insert(words.end(), route.targets.begin(), route.targets.end());
+    }
+    return words;
+}
+
+std::string waysOf(std::span<const UpdateRoute> routes, std::string_view between)
+{
+    std::string ways;
+    for (const UpdateRoute &route : routes)
+        ways += (ways.empty() ? "" : std::string(between)) + std::string(route.example);
+    return ways;
+}
+
 } // namespace mb::console

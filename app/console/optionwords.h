@@ -17,6 +17,10 @@ namespace mb::console {
 [[nodiscard]] std::vector<std::string_view> profileWords();
 /// Of families whose frames on CAN are read by a dialect.
 [[nodiscard]] std::vector<std::string_view> dialectWords(std::span<const Family *const> families);
+/// Of families whose update goes another way than their own link.
+[[nodiscard]] std::vector<std::string_view> targetWords(std::span<const Family *const> families);
+/// What `--via` takes for these, one example each.
+[[nodiscard]] std::string waysOf(std::span<const UpdateRoute> routes, std::string_view between);
 inline constexpr std::array<std::string_view, 3> reportSizes{"report", "card", "label"};
 
 } // namespace mb::console

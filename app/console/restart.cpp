@@ -11,7 +11,7 @@ namespace {
 Task<int> restart(Console &console, std::string text)
 {
     auto target = co_await parseTarget(console, text);
-    target.mayBeSilent = mayWaitInBootloader(target);
+    target.mayBeSilent = target.family->capabilities.bootloaderElsewhere;
     if (!target.family->capabilities.restart)
         co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target.family->key),
             say("switch it off and on"));

@@ -249,7 +249,7 @@ Job declareRestore(CLI::App &arguments)
     arguments.add_flag("--dry-run", a->dryRun, "Show the difference, write nothing");
     arguments
         .add_option("--unit-values", a->unitValues,
-            "Also these keys, which belong to the one unit that the file was saved from: its calibration, its node id")
+            "Also these keys, which belong to the one unit that the file was saved from: its calibration, its number")
         ->delimiter(',')
         ->expected(1)
         ->allow_extra_args(false);

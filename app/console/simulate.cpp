@@ -7,8 +7,6 @@
 #include "transport/backends/ptyline.h"
 #include "transport/backends/unixspiserver.h"
 
-#include <QJsonArray>
-
 #include <algorithm>
 #include <memory>
 
@@ -96,16 +94,7 @@ Task<int> simulate(Console &console, SimulateArguments arguments)
     for (const PlannedUnit &unit : plan.units)
         co_await units.add(unit);
     units.watch(ending);
-    QJsonArray links;
-    for (const LinkAddress &link : plan.links) {
-        links.append(qt(link.text()));
-        for (const PlannedUnit &unit : plan.units) {
-            const auto second = unit.unit.option("boot"); // the serial line of a board's bootloader
-            if (second && unit.link == link)
-                links.append(qt(std::string(*second)));
-        }
-    }
-    console.out().json({{QStringLiteral("ready"), true}, {QStringLiteral("links"), links}});
+    console.out().json({{QStringLiteral("ready"), true}, {QStringLiteral("links"), units.links()}});
     console.out().flush();
     ending.after(plan.time);
     co_await ending.wait();

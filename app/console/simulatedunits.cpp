@@ -21,6 +21,12 @@ Result<void> SimulatedUnits::add(const PlannedUnit &unit)
     MB_TRY(auto simulator, unit.family->simulate(*end, m_console.clock(), unit.unit));
     m_units.push_back({std::move(simulator), {}});
     Running &running = m_units.back();
+    std::vector<std::string> served = running.simulator->otherLinks();
+    served.insert(served.begin(), unit.link.text());
+    for (const std::string &link : served) {
+        if (!m_links.contains(qt(link)))
+            m_links.append(qt(link));
+    }
     if (m_events)
         running.events = running.simulator->events().add(
             [this, &link = *end, &running](const SimulatorEvent &event) { print(link, *running.simulator, event); });

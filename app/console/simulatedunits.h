@@ -5,6 +5,8 @@
 #include "app/console/ending.h"
 #include "transport/backends/ptyline.h"
 
+#include <QJsonArray>
+
 #include <list>
 #include <memory>
 
@@ -23,6 +25,8 @@ public:
     SimulatedUnits(Console &console, bool events);
     Result<void> add(const PlannedUnit &unit);
     void watch(Ending &ending);
+    /// All that are served, each once.
+    [[nodiscard]] const QJsonArray &links() const { return m_links; }
 
 private:
     struct Running {
@@ -42,6 +46,7 @@ private:
     std::list<Terminal> m_terminals;
     std::list<std::unique_ptr<Link>> m_ends;
     std::list<Running> m_units;
+    QJsonArray m_links;
 };
 
 } // namespace mb::console

@@ -37,11 +37,6 @@ bool serves(const Family &family, LinkKind kind)
     return std::ranges::find(family.links, kind) != family.links.end();
 }
 
-bool mayWaitInBootloader(const Target &target)
-{
-    return kindOf(target.selector.link) == LinkKind::Spi;
-}
-
 Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
 {
     if (const Family *family = findFamily(families, key))

@@ -21,8 +21,6 @@ struct Target {
 
 /// OutOfRange: not a selector, an unknown family, an address that none of it has, or one that is not found on this kind of link.
 [[nodiscard]] Result<Target> parseTarget(const Console &console, std::string_view text);
-/// Its bootloader is heard on another line than its application: a board on SPI is silent on its own meanwhile.
-[[nodiscard]] bool mayWaitInBootloader(const Target &target);
 [[nodiscard]] Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key);
 [[nodiscard]] bool serves(const Family &family, LinkKind kind);
 /// The links that a list of addresses stands for, `sim:` expanded.

@@ -90,7 +90,7 @@ void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finishe
         [this, finished](Operations::Job &job, const Result<bool> &proved) {
             if (proved)
                 m_context.log.tell(*proved ? Severity::Good : Severity::Caution, job.device,
-                    *proved ? say("stored, the flash sequence number advanced") : say("stored, not verifiable"));
+                    *proved ? say("stored, and the unit has proved it") : say("stored, not verifiable"));
             else
                 m_context.log.tell(Severity::Danger, job.device, proved.error().message());
             finished(proved ? Result<void>() : fail(proved.error()));

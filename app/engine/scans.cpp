@@ -100,18 +100,21 @@ void Scans::end(Round &round)
     round.total = 0;
 }
 
-/// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.
+/// A unit whose bootloader is heard elsewhere (Capabilities) is silent in it; where it is the only one that there can be, it must not
+/// vanish from the list for that.
 void Scans::probeSilent(Link &link)
 {
     const auto all = m_context.session.devices();
     const bool known = std::ranges::any_of(all, [&link](const Device *device) { return &device->link() == &link; });
-    if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
+    if (known || link.state() != LinkState::Open)
         return;
     for (const Family *family : m_context.session.families()) {
-        if (std::ranges::find(family->links, LinkKind::Spi) == family->links.end())
+        const Capabilities &can = family->capabilities;
+        if (!can.bootloaderElsewhere || can.firstAddress != can.lastAddress
+            || std::ranges::find(family->links, link.kind()) == family->links.end())
             continue;
         m_rounds[&link].task->spawn<Device *>(
-            m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}, true),
+            m_context.session.connect({link.address(), std::string(family->key), can.firstAddress, std::nullopt}, true),
             [](const Result<Device *> &) {});
     }
 }

@@ -49,6 +49,7 @@ struct UpdateWords {
     std::string_view critical{}; ///< why it cannot be cancelled while Progress::mayInterrupt() is false
     std::string_view cut{};      ///< what losing the supply leaves, or the link …
     std::string_view fatalCut{}; ///< … while it must not; empty: the same
+    std::string_view silent{}; ///< what helps a unit that answers nothing, behind "update it, or"; empty: nothing else
 };
 
 /// A way in for an update besides the device's own link: what `--via` is to name.

@@ -62,7 +62,10 @@ struct Capabilities {
     /// With a watchdog: this long after the last frame that reached it a device has stopped by itself for certain.
     std::chrono::milliseconds watchdogLimit{250};
     std::chrono::seconds storesAfter{
-        0}; ///< flash has what RAM has this long after the last write; 0: only when told to
+        0};                             ///< flash has what RAM has this long after the last write; 0: only when told to
+    std::chrono::seconds storeLimit{0}; ///< … and its store() has proved or given up this long after it
+    /// Its bootloader is heard on another line than its application: a unit in it answers nothing on its own.
+    bool bootloaderElsewhere = false;
 };
 
 /// A variant of the family's protocol that a user may choose against what the scan found.
@@ -126,7 +129,14 @@ struct ChannelRate {
     double hertz = 0.0;
 };
 
-/// Units of `Family::bench` that show off the program (`--tour`): addresses.
+/// What such a unit drives: English, marked for translation ("table").
+struct DemoMotor {
+    int address = 0;
+    std::string_view title; ///< "775pro"
+    std::string_view parts; ///< its load, gear and encoder: "4096 counts a turn"
+};
+
+/// Units of `Family::bench` that show off the program (`--tour`, the stories of the first page): addresses.
 struct DemoUnits {
     int tuned = 0;
     std::string_view livelierLimit{};                ///< its parameter: more of it makes its motor livelier
@@ -138,6 +148,7 @@ struct DemoUnits {
     double shortStep = 0.0;   ///< … of a step of so many counts …
     double shortBy = 0.0;     ///< … by about so many; …
     std::span<const std::pair<std::string_view, double>> arrivingGains{}; ///< … with these gains it arrives
+    std::span<const DemoMotor> motors{};                                  ///< of each of them
 };
 
 struct ExperimentOptions {

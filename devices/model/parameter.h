@@ -117,6 +117,7 @@ struct Parameter {
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
     Role role = Role::None;
     bool inverted = false;   ///< of a limit: a boolean switches it off when on, a position is wider the lower it is
+    bool ofOutput = false;   ///< a part of the whole output, which is its wider bound
     bool zeroIsNone = false; ///< of a limit that is an amount: 0 is no limit, not the tightest
 };
 

@@ -136,8 +136,10 @@ Task<Device *> Session::adoptSilent(Link &link, DeviceSelector selector, std::ve
     silent.family = selector.family;
     silent.address = selector.address;
     silent.state = DeviceState::Bootloader;
-    silent.detail = say("nothing answers: no power, wrong wiring, another rate, or no program that runs; update it, or "
-                        "reset it without the jumper of its bootloader");
+    const std::string_view otherwise = updateWords(**family).silent;
+    const Message cause = say("nothing answers: no power, wrong wiring, another rate, or no program that runs");
+    silent.detail = otherwise.empty() ? say("%1; update it", cause)
+                                      : say("%1; update it, or %2", cause, Message::label(otherwise));
     co_return &m_devices.adopt(link, **family, silent, {});
 }
 

@@ -51,6 +51,8 @@ public:
     virtual ~Simulator() = default;
 
     [[nodiscard]] virtual std::string name() const = 0; ///< "dmc60c:5"
+    /// Addresses of the links that it serves besides the one it was made for.
+    [[nodiscard]] virtual std::vector<std::string> otherLinks() const { return {}; }
     /// Whether the bridge drives the motor now.
     [[nodiscard]] virtual bool isOutputOn() const = 0;
     /// Shaft speed, counts/s, and position, counts, of the motor itself (not of its sensor).

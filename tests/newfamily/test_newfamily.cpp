@@ -14,13 +14,17 @@
 #include "tuning/evidence.h"
 #include "tuning/gainscale.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/updates.h"
 #include "widgets/connection/devicemodel.h"
+#include "widgets/connection/linkchoices.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/trialmodel.h"
 #include "widgets/firmware/drawingview.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/unitupdate.h"
 #include "widgets/parameters/parametermodel.h"
+#include "widgets/parameters/valuetext.h"
+#include "widgets/start/story.h"
 
 #include <QApplication>
 #include <QSvgRenderer>
@@ -248,6 +252,54 @@ TEST_F(NewFamily, ShowsItsOwnStepsAndDrawingOnTheFirmwarePage)
     EXPECT_FALSE(svg.contains('{')) << svg.constData();
     EXPECT_TRUE(svg.contains(theme.theme().accent.name().toUtf8()));
     EXPECT_TRUE(QSvgRenderer(svg).isValid());
+}
+
+TEST_F(NewFamily, ASilentUnitIsHelpedInItsOwnWords)
+{
+    simulated().setPowered(false);
+    bench.simulator("tinker:4")->setPowered(false);
+    const auto silent
+        = run(bench.clock, bench.session.connect({bench.link->address(), "tinker", 7, std::nullopt}, true));
+    ASSERT_TRUE(silent) << silent.error().text();
+    EXPECT_EQ((*silent)->identity().state, DeviceState::Bootloader);
+    EXPECT_TRUE((*silent)->identity().detail.english().ends_with("update it, or turn the tinkered handle back"))
+        << (*silent)->identity().detail;
+}
+
+TEST_F(NewFamily, WhatACutLeavesIsSaidInItsOwnWords)
+{
+    const UpdateWords &words = updateWords(unit->family());
+    EXPECT_EQ(leftAfter(0, words), QStringLiteral("The tinkered loader then waits"));
+    EXPECT_EQ(leftAfter(7, words), QStringLiteral("The tinkered loader then waits"))
+        << "it says no more of one that was begun";
+}
+
+TEST_F(NewFamily, PlaysTheStoriesOfWhatItHasWithItsOwnMotor)
+{
+    ASSERT_EQ(stories().size(), 1U) << "nothing of it stops short, and no switch limits its current";
+    const Story &story = stories().front();
+    EXPECT_EQ(story.key, "tame");
+    EXPECT_EQ(storyMotor(story), QStringLiteral("Tinkered motor"));
+    EXPECT_EQ(storyParts(story), QStringLiteral("tinkered gear · Tinker One #4"));
+    EXPECT_TRUE(storyText(story, story.steps.back().words).startsWith(QStringLiteral("Press Store and prove")))
+        << "it does not store by itself";
+}
+
+TEST_F(NewFamily, IsNamedWhereItsBenchIsOffered)
+{
+    QStringList said;
+    for (const LinkChoice &choice : linkChoices({}, {}))
+        said += choice.words;
+    EXPECT_TRUE(said.contains(QStringLiteral("Tinker One, at the real speed of their link.")))
+        << said.join(QLatin1Char(';')).toStdString();
+}
+
+TEST_F(NewFamily, APartOfItsOutputMayBeEnteredInPercent)
+{
+    const Parameter &limit = unit->parameters().parameter(bench.index(*unit, "limit.duty"));
+    EXPECT_EQ(parseValue(limit, QStringLiteral("50 %")).raw, 5000);
+    const Parameter &gain = unit->parameters().parameter(bench.index(*unit, "loop.stiffness"));
+    EXPECT_FALSE(parseValue(gain, QStringLiteral("50 %")).raw);
 }
 
 TEST_F(NewFamily, SpeaksGermanFromItsOwnFolder)

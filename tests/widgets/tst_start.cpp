@@ -375,8 +375,8 @@ void StartTest::everyStepSaysWhatToDo()
     for (const Story &story : stories()) {
         bench.workbench.shot.devices = {actor(9, story)};
         QVERIFY(Guide::deviceOf(story, bench.workbench.shot));
-        for (const char *text : {story.title, story.parts, story.words}) {
-            const QString shown = storyText(story, text);
+        QVERIFY(!storyMotor(story).isEmpty());
+        for (const QString &shown : {storyText(story, story.title), storyParts(story), storyText(story, story.words)}) {
             QVERIFY2(!shown.contains(QLatin1Char('%')) || shown.contains(QStringLiteral(" %")), qPrintable(shown));
         }
         for (const StoryStep &step : story.steps) {

@@ -77,4 +77,9 @@ QString placeOf(const Snapshot &shot, const OperationView &operation)
     return UpdateText::tr("%1 on %2").arg(titleOf(*device), qt(link ? link->name : device->link));
 }
 
+QString leftAfter(int pages, const UpdateWords &words)
+{
+    return tableText(pages > 0 && !words.written.empty() ? words.written : words.cancel);
+}
+
 } // namespace mb

@@ -22,5 +22,7 @@ class Workbench;
 [[nodiscard]] bool isServed(const Workbench &workbench, const std::string &link);
 /// "DMC60C #9 on sim:can": which unit an operation is about.
 [[nodiscard]] QString placeOf(const Snapshot &shot, const OperationView &operation);
+/// What a cancel leaves after so many pages.
+[[nodiscard]] QString leftAfter(int pages, const UpdateWords &words);
 
 } // namespace mb

@@ -64,7 +64,7 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
     const QString label = titleOf(*device);
     const bool running = device->identity->state != DeviceState::Bootloader;
     QAction *identify = menu.addAction(DeviceActions::tr("Identify (blink)"), &parent, [&workbench, id, label] {
-        workbench.send(orders::Identify{id}, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
+        workbench.send(orders::Identify{id}, reportTo(workbench, label, DeviceActions::tr("blinks")));
     });
     identify->setEnabled(can.identify && running);
     QAction *rename = menu.addAction(

@@ -64,7 +64,7 @@ void Inspector::buildActions(QVBoxLayout &column)
     auto *both = new QWidget(this);
     auto *row = layoutIn<WrapLayout>(both, m_theme.theme().u(8)); // long words stand below each other
     m_identify = new CommandButton(m_theme, Symbol::Identify, tr("Identify"), this);
-    m_identify->setToolTip(tr("Blink the lamps of this unit for 5 s"));
+    m_identify->setToolTip(tr("Blink the lamps of this unit"));
     m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), this);
     m_read->setToolTip(tr("Read every parameter of this unit"));
     row->addWidget(m_identify);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/linkchoices.h"
 
+#include "model/family.h"
+#include "model/registry.h"
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
@@ -64,6 +66,17 @@ LinkChoice choiceOf(const LinkListing &listing)
     return choice;
 }
 
+/// Of the bench behind it.
+QString familiesOn(LinkKind kind)
+{
+    QStringList titles;
+    for (const Family *family : families()) {
+        if (!family->bench.empty() && std::ranges::find(family->links, kind) != family->links.end())
+            titles += qt(family->title);
+    }
+    return LinkChoices::tr("%1, at the real speed of their link.").arg(titles.join(QStringLiteral(", ")));
+}
+
 LinkChoice simulated(const char *path, const QString &name, const QString &words)
 {
     LinkChoice choice;
@@ -90,13 +103,10 @@ std::vector<LinkChoice> linkChoices(const std::vector<LinkListing> &listings, co
         = LinkChoices::tr("Plays a candump or Vector ASC log as if its bus were here. Nothing can be sent.");
     choices.push_back(recording);
     choices.push_back(simulated("", LinkChoices::tr("The whole simulated bench"),
-        LinkChoices::tr("Controllers of all four families with real bus timing; nothing real can move.")));
-    choices.push_back(simulated("can", LinkChoices::tr("Simulated CAN bus"),
-        LinkChoices::tr("Controllers that share one bus, at its real speed.")));
-    choices.push_back(simulated("serial", LinkChoices::tr("Simulated serial line"),
-        LinkChoices::tr("Controllers on one line, in two dialects.")));
-    choices.push_back(
-        simulated("spi", LinkChoices::tr("Simulated SPI board"), LinkChoices::tr("A board with four geared motors.")));
+        LinkChoices::tr("Controllers of every family with real bus timing; nothing real can move.")));
+    choices.push_back(simulated("can", LinkChoices::tr("Simulated CAN bus"), familiesOn(LinkKind::Can)));
+    choices.push_back(simulated("serial", LinkChoices::tr("Simulated serial line"), familiesOn(LinkKind::Serial)));
+    choices.push_back(simulated("spi", LinkChoices::tr("Simulated SPI board"), familiesOn(LinkKind::Spi)));
     for (LinkChoice &choice : choices)
         choice.isOpen = !choice.address.empty() && std::ranges::find(open, choice.address) != open.end();
     std::ranges::stable_sort(choices,

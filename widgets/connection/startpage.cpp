@@ -63,7 +63,7 @@ void StartPage::buildStories(QBoxLayout &column, QWidget &parent)
     auto *title = new ElidedLabel(tr("Try with a simulated motor"), &parent);
     setTextRole(*title, TextRole::Title);
     auto *bench = linkButton(tr("Open the simulated bench"), &parent);
-    bench->setToolTip(tr("Controllers of all four families with real bus timing; nothing real can move."));
+    bench->setToolTip(tr("Controllers of every family with real bus timing; nothing real can move."));
     head->addWidget(title, 1);
     head->addWidget(bench);
     column.addLayout(head);

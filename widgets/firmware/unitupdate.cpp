@@ -43,12 +43,6 @@ std::optional<OperationView> updateOf(const Snapshot &shot, const DeviceView *de
     return found == shot.operations.rend() ? std::nullopt : std::optional(*found);
 }
 
-/// What a cancel leaves after so many pages.
-QString leftAfter(int pages, const UpdateWords &words)
-{
-    return tableText(pages > 0 && !words.written.empty() ? words.written : words.cancel);
-}
-
 /// What the unit is left as, as far as it is known.
 QString cancelledText(const UpdateReport &report, const UpdateWords &words, bool touched)
 {

@@ -113,7 +113,8 @@ void RamBlock::tick()
     m_left->setText(counting ? tr("%1 s to go").arg((left.count() + 999) / 1000) : tr("not proved"));
     QString hint = whole.count() == 0 ? tr("Read back and equal. Lost at power-off until it is stored.")
         : counting                    ? tr("Read back and equal. Do not cut power yet.")
-                                      : tr("The device should have stored by itself. Its own proof takes up to 20 s.");
+                                      : tr("The device should have stored by itself. Its own proof takes up to %1 s.")
+                         .arg(m_state.family->capabilities.storeLimit.count());
     if (const auto more = m_state.rows.size() - std::min(m_state.rows.size(), rowsShown); more > 0)
         hint.prepend(tr("%1 more.").arg(more) + QLatin1Char(' '));
     m_hint->setText(hint);

@@ -151,8 +151,7 @@ std::int64_t defaultRaw(const Parameter &parameter)
 
 std::optional<double> fullScale(const Parameter &parameter)
 {
-    constexpr std::array<std::string_view, 4> outputs{"throttle", "duty", "power", "PWM"};
-    if (std::ranges::find(outputs, parameter.unit) == outputs.end())
+    if (!parameter.ofOutput)
         return std::nullopt;
     const double full = std::max(std::abs(parameter.minimum), std::abs(parameter.maximum));
     return full > 0 ? std::optional(full) : std::nullopt;

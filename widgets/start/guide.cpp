@@ -16,16 +16,6 @@ constexpr double isShort = 10.0; ///< counts before its target that friction exp
 constexpr double arrived = 5.0;  ///< most that counts as there
 constexpr const char *simulated = "sim:";
 
-/// Of a limit that bounds its current: its own switch.
-std::string_view currentSwitch(const Family &family)
-{
-    const auto limits = family.trials ? family.trials->limits : std::span<const DeviceLimit>();
-    const auto found = std::ranges::find_if(limits, [](const DeviceLimit &limit) {
-        return limit.bounds == DeviceLimit::Bounds::Current && !limit.enabled.empty();
-    });
-    return found == limits.end() ? std::string_view() : found->enabled;
-}
-
 bool isOn(const DeviceView &device, std::string_view key)
 {
     const auto index = findParameter(device.family->parameters, key);

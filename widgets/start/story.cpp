@@ -37,8 +37,7 @@ constexpr StoryStep taming[] = {
         "F6"},
     {Proof::Stored, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
-            "15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: "
-            "done when the unit proves that its flash has the gains.")},
+            "%6Press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.")},
 };
 
 constexpr StoryStep limiting[] = {
@@ -46,7 +45,7 @@ constexpr StoryStep limiting[] = {
         QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left.")},
     {Proof::LimitOn, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Limit"),
         QT_TRANSLATE_NOOP("Stories",
-            "On the page Parameters switch the current limit on (search: current_limit), set it to what the motor "
+            "On the page Parameters switch the current limit on (search: %7), set it to what the motor "
             "may have, and write.")},
     {Proof::Armed, StoryPlace::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories", "Hold the Arm button at the top for one second (or Ctrl+Shift+F12).")},
@@ -54,9 +53,7 @@ constexpr StoryStep limiting[] = {
         QT_TRANSLATE_NOOP("Stories", "Press %2 on the page Tune: the peak current of the step stands in its table."),
         "F5"},
     {Proof::Stored, StoryPlace::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
-        QT_TRANSLATE_NOOP("Stories",
-            "15 s after its last change the unit stores by itself. Then press Store and prove on the page "
-            "Parameters.")},
+        QT_TRANSLATE_NOOP("Stories", "%6Press Store and prove on the page Parameters.")},
 };
 
 constexpr StoryStep arriving[] = {
@@ -81,31 +78,54 @@ constexpr StoryStep arriving[] = {
 };
 
 constexpr Story table[] = {
-    {"tame", QT_TRANSLATE_NOOP("Stories", "%1 overshoots: tame it in a minute"), QT_TRANSLATE_NOOP("Stories", "775pro"),
-        QT_TRANSLATE_NOOP("Stories", "4096 counts a turn · %1"),
-        QT_TRANSLATE_NOOP("Stories", "This one overshoots by about 20 %. Find gains that do not."),
+    {"tame", QT_TRANSLATE_NOOP("Stories", "%1 overshoots: tame it in a minute"),
+        QT_TRANSLATE_NOOP("Stories", "With these gains it goes too far. Find some with which it does not."),
         QT_TRANSLATE_NOOP("Stories", "velocity, set-point dashed"), 1, StoryPicture::Overshoot,
         &DemoUnits::overshooting, taming},
     {"limit", QT_TRANSLATE_NOOP("Stories", "%1 has no current limit: set one that saves it"),
-        QT_TRANSLATE_NOOP("Stories", "CIM"),
-        QT_TRANSLATE_NOOP("Stories", "load 9 × rotor inertia · 4096 counts a turn · %1"),
-        QT_TRANSLATE_NOOP("Stories", "A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it."),
+        QT_TRANSLATE_NOOP(
+            "Stories", "Stalled, it draws all that its supply gives, and nothing holds it back. Limit it."),
         QT_TRANSLATE_NOOP("Stories", "current, limit dashed"), 3, StoryPicture::Limit, &DemoUnits::tuned, limiting},
     {"arrive", QT_TRANSLATE_NOOP("Stories", "%1 stops short: make it arrive"),
-        QT_TRANSLATE_NOOP("Stories", "N20 geared"),
-        QT_TRANSLATE_NOOP("Stories", "gear 75.81:1 · 32768 counts a turn · %1"),
         QT_TRANSLATE_NOOP("Stories", "This one stops about %4 counts short and stays there. Make it arrive."),
         QT_TRANSLATE_NOOP("Stories", "position, set-point dashed"), 3, StoryPicture::Short, &DemoUnits::stoppingShort,
         arriving},
 };
 
+/// "DMC60C #7"
+QString unitOf(const Story &story)
+{
+    const Family *family = storyFamily(story);
+    return family ? QStringLiteral("%1 #%2").arg(qt(family->title)).arg(family->demo->*story.unit) : QString();
+}
+
+DemoMotor motorOf(const Story &story)
+{
+    const Family *family = storyFamily(story);
+    const auto motors = family ? family->demo->motors : std::span<const DemoMotor>();
+    const auto found = std::ranges::find_if(
+        motors, [&](const DemoMotor &motor) { return motor.address == family->demo->*story.unit; });
+    return found == motors.end() ? DemoMotor() : *found;
+}
+
 } // namespace
+
+std::string_view currentSwitch(const Family &family)
+{
+    const auto limits = family.trials ? family.trials->limits : std::span<const DeviceLimit>();
+    const auto found = std::ranges::find_if(limits, [](const DeviceLimit &limit) {
+        return limit.bounds == DeviceLimit::Bounds::Current && !limit.enabled.empty();
+    });
+    return found == limits.end() ? std::string_view() : found->enabled;
+}
 
 const Family *storyFamily(const Story &story)
 {
+    const bool limits = story.picture == StoryPicture::Limit;
     const auto all = families();
-    const auto found = std::ranges::find_if(
-        all, [&story](const Family *family) { return family->demo && family->demo->*story.unit != 0; });
+    const auto found = std::ranges::find_if(all, [&](const Family *family) {
+        return family->demo && family->demo->*story.unit != 0 && !(limits && currentSwitch(*family).empty());
+    });
     return found == all.end() ? nullptr : *found;
 }
 
@@ -117,6 +137,16 @@ std::span<const Story> stories()
         return found;
     }();
     return playable;
+}
+
+QString storyMotor(const Story &story)
+{
+    return tableText(motorOf(story).title);
+}
+
+QString storyParts(const Story &story)
+{
+    return tableText(motorOf(story).parts) + QStringLiteral(" · ") + unitOf(story);
 }
 
 QString storyText(const Story &story, const char *english, const QString &key)
@@ -132,8 +162,14 @@ QString storyText(const Story &story, const char *english, const QString &key)
             gains
                 += QStringLiteral("%1 %2").arg(tableText(family->parameters[row->value].label), formatNumber(value, 0));
     }
-    const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
-    text.replace(QLatin1String("%1"), QStringLiteral("%1 #%2").arg(title).arg(demo.*story.unit));
+    const auto storesAfter = family->capabilities.storesAfter.count();
+    text.replace(QLatin1String("%6"),
+        storesAfter > 0
+            ? StoryWords::tr("It stores by itself %1 s after its last change: wait for that.").arg(storesAfter)
+                + QLatin1Char(' ')
+            : QString());
+    text.replace(QLatin1String("%7"), qt(currentSwitch(*family)));
+    text.replace(QLatin1String("%1"), unitOf(story));
     text.replace(QLatin1String("%3"), formatNumber(demo.shortStep, 0));
     text.replace(QLatin1String("%4"), formatNumber(demo.shortBy, 0));
     text.replace(QLatin1String("%5"), gains.join(QStringLiteral(", ")));

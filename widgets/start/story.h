@@ -30,7 +30,8 @@ enum class Proof {
 };
 
 /// One step of a story. Texts are English, translated by storyText(); %1 in them is the title of its unit, %2 the key of this step as it
-/// is now; of a unit that stops short (DemoUnits) %3 is the step, %4 by how much, %5 the gains with which it arrives.
+/// is now; of a unit that stops short (DemoUnits) %3 is the step, %4 by how much, %5 the gains with which it arrives; %6 a sentence of when
+/// it stores by itself, %7 the key that switches its current limit.
 struct StoryStep {
     Proof proof = Proof::Selected;
     StoryPlace place = StoryPlace::Overview;
@@ -43,8 +44,6 @@ struct StoryStep {
 struct Story {
     std::string_view key;
     const char *title = "";   ///< "%1 overshoots: tame it in a minute"
-    const char *motor = "";   ///< of its card
-    const char *parts = "";   ///< load, encoder, controller
     const char *words = "";   ///< what is wrong, and what to do about it
     const char *caption = ""; ///< of its drawing
     int minutes = 1;
@@ -57,8 +56,13 @@ struct Story {
 constexpr const char *storyLink = "sim:";
 
 [[nodiscard]] std::span<const Story> stories();
-/// The family whose simulated unit it plays on; nullptr: no family of this build has one, and the story is not among stories().
+/// The family whose simulated unit it plays on; nullptr: no family of this build has one that can, and the story is not among stories().
 [[nodiscard]] const Family *storyFamily(const Story &story);
+/// What its unit drives, and what hangs on it.
+[[nodiscard]] QString storyMotor(const Story &story);
+[[nodiscard]] QString storyParts(const Story &story);
+/// Key of the parameter that switches the limit of a motor's current; empty: the family has none.
+[[nodiscard]] std::string_view currentSwitch(const Family &family);
 /// `key`: what stands for %2; empty: whoever reads it has to look for the button.
 [[nodiscard]] QString storyText(const Story &story, const char *english, const QString &key = {});
 

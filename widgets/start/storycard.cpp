@@ -26,12 +26,12 @@ void StoryCard::buildHead(const Story &story, const ThemeSource &theme)
     column->setContentsMargins(pad, pad, pad, pad);
     column->setSpacing(theme.theme().u(4));
     auto *head = new QHBoxLayout;
-    auto *motor = new ElidedLabel(storyText(story, story.motor), this);
+    auto *motor = new ElidedLabel(storyMotor(story), this);
     setTextRole(*motor, TextRole::Title);
     head->addWidget(motor, 1);
     head->addWidget(textLabel(tr("about %n min", nullptr, story.minutes), TextRole::Caption, Tone::Dim, this));
     column->addLayout(head);
-    auto *parts = textLabel(storyText(story, story.parts), TextRole::Caption, Tone::Dim, this);
+    auto *parts = textLabel(storyParts(story), TextRole::Caption, Tone::Dim, this);
     parts->setWordWrap(true);
     column->addWidget(parts);
     column->addSpacing(theme.theme().u(6));

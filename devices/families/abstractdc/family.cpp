@@ -115,7 +115,6 @@ constexpr Capabilities capabilities{
     .axes = 1,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(20),
-    .storesAfter = std::chrono::seconds(0),
 };
 
 constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "divisor"};

@@ -5,6 +5,7 @@
 #include "families/dmc60c/controller.h"
 #include "families/dmc60c/decode.h"
 #include "families/dmc60c/firmware.h"
+#include "families/dmc60c/flashproof.h"
 #include "families/dmc60c/parameters.h"
 #include "families/dmc60c/protocol.h"
 #include "families/dmc60c/scan.h"
@@ -59,6 +60,7 @@ constexpr Capabilities capabilities{
     .commandLimit = controlLimit,
     .watchdogLimit = std::chrono::milliseconds(250), // 104 with a margin
     .storesAfter = std::chrono::seconds(15),
+    .storeLimit = std::chrono::duration_cast<std::chrono::seconds>(FlashProof::limit),
 };
 
 constexpr std::array<FaultRow, 5> faultRows{{
@@ -83,6 +85,10 @@ constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 
 
 constexpr std::array<std::string_view, 2> livelyGains{"slot0.p", "slot0.i"};
 constexpr std::array<std::string_view, 2> versionEntries{"application_version", "bootloader_version"};
+constexpr std::array<DemoMotor, 2> demoMotors{{
+    {5, "CIM", QT_TRANSLATE_NOOP("table", "load 9 × rotor inertia · 4096 counts a turn")},
+    {7, "775pro", QT_TRANSLATE_NOOP("table", "4096 counts a turn")},
+}};
 constexpr DemoUnits demo{
     .tuned = 5,
     .livelierLimit = "current_limit.peak",
@@ -90,6 +96,7 @@ constexpr DemoUnits demo{
     .livelyGains = livelyGains,
     .inBootloader = 9,
     .image = "dmc60c-demo.hex",
+    .motors = demoMotors,
 };
 
 constexpr std::array<std::string_view, 11> slotNames{"p", "i", "d", "i_zone", "f", "allowable_error", "ramp",

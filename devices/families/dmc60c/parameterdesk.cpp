@@ -141,7 +141,8 @@ Task<bool> ParameterDesk::store(Progress &progress)
             m_flash.giveUp();
             if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
                 co_return false;
-            co_return fail(Fault::BadCheck, say("the device did not write its flash within 20 s"));
+            co_return fail(
+                Fault::BadCheck, say("the device did not write its flash within %1 s", FlashProof::limit / 1s));
         }
         progress.step(say("Waiting until the device has written its flash"), static_cast<int>((now - begun) / 1s),
             static_cast<int>((end - begun) / 1s));

@@ -76,8 +76,10 @@ constexpr Parameter fixed(std::string_view key, std::uint16_t id, std::string_vi
 constexpr Parameter integer(std::string_view key, std::uint16_t id, WireType type, std::string_view unit, double low,
     double high, double fallback, std::string_view group, std::string_view label, std::string_view help)
 {
-    return {key, id, type, 1.0, unit, low, high, fallback, Access::ReadWrite, true, Nature::Setting, group, label, help,
-        {}};
+    Parameter row{key, id, type, 1.0, unit, low, high, fallback, Access::ReadWrite, true, Nature::Setting, group, label,
+        help, {}};
+    row.ofOutput = unit == "throttle";
+    return row;
 }
 constexpr Parameter amperes(
     std::string_view key, std::uint16_t id, double fallback, std::string_view label, std::string_view help)

@@ -40,7 +40,7 @@ constexpr Capabilities capabilities{
     .axes = axes,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(50),
-    .storesAfter = std::chrono::seconds(0),
+    .bootloaderElsewhere = true,
 };
 
 constexpr std::array<FaultRow, 2> faultRows{{

@@ -123,6 +123,7 @@ constexpr UpdateWords updateWords{
     .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
     .cut = QT_TRANSLATE_NOOP(
         "table", "A board that is cut stays in its bootloader. Leave the jumper in and run the update again."),
+    .silent = QT_TRANSLATE_NOOP("table", "reset it without the jumper of its bootloader"),
 };
 const std::array routeTable{UpdateRoute{.scheme = "serial",
     .example = "serial:/dev/ttyUSB0",

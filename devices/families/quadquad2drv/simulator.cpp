@@ -88,10 +88,12 @@ public:
             return {};
         MB_TRY(auto boot, simulation::Boot::open(*options.boot, clock, m_board, options));
         m_boot = std::move(boot);
+        m_otherLinks = {options.boot->text()};
         return {};
     }
 
     [[nodiscard]] std::string name() const override { return "quadquad2drv:0"; }
+    [[nodiscard]] std::vector<std::string> otherLinks() const override { return m_otherLinks; }
     [[nodiscard]] bool isOutputOn() const override
     {
         bool on = false;
@@ -140,6 +142,7 @@ public:
 private:
     simulation::Board m_board;
     std::unique_ptr<simulation::Boot> m_boot;
+    std::vector<std::string> m_otherLinks;
 };
 
 } // namespace

@@ -100,7 +100,11 @@ constexpr TrialTraits trials{
 
 /// Friction holds what P makes of the last counts; the integral does not reach it. Measured: 19 counts short, then 1.
 constexpr std::array<std::pair<std::string_view, double>, 2> arrivingGains{{{"gain.p", 4000.0}, {"gain.d", 32000.0}}};
-constexpr DemoUnits demo{.stoppingShort = 5, .shortStep = 200.0, .shortBy = 20.0, .arrivingGains = arrivingGains};
+constexpr std::array<DemoMotor, 1> demoMotors{{
+    {5, QT_TRANSLATE_NOOP("table", "N20 geared"), QT_TRANSLATE_NOOP("table", "gear 75.81:1 · 32768 counts a turn")},
+}};
+constexpr DemoUnits demo{
+    .stoppingShort = 5, .shortStep = 200.0, .shortBy = 20.0, .arrivingGains = arrivingGains, .motors = demoMotors};
 
 } // namespace
 

@@ -7,6 +7,8 @@
 #include "tinker/simulator.h"
 #include "tinker/tables.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::tinker {
@@ -34,6 +36,12 @@ constexpr TrialTraits trials{
     .bench = {.travel = 1e6, .speed = 1e5, .current = 10.0, .duty = 1.0},
 };
 
+/// It stores when it is told to, and has no limit of its current: nothing of either is told in its stories.
+constexpr std::array<DemoMotor, 1> demoMotors{{
+    {4, QT_TRANSLATE_NOOP("table", "Tinkered motor"), QT_TRANSLATE_NOOP("table", "tinkered gear")},
+}};
+constexpr DemoUnits demo{.tuned = 3, .overshooting = 4, .motors = demoMotors};
+
 } // namespace
 
 extern const Family family;
@@ -51,6 +59,7 @@ const Family family{
     .faults = faultTable(),
     .ranges = ranges,
     .watched = watched,
+    .demo = &demo,
     .trials = &trials,
     .scan = scan,
     .open = open,

@@ -35,7 +35,8 @@ constexpr std::array routeTable{UpdateRoute{.scheme = "handle",
     .steps = steps,
     .words = {.cancel = QT_TRANSLATE_NOOP("table", "The tinkered loader then waits"),
         .critical = QT_TRANSLATE_NOOP("table", "The tinkered program is begun"),
-        .cut = QT_TRANSLATE_NOOP("table", "A tinkered unit that is cut waits in its loader.")}}};
+        .cut = QT_TRANSLATE_NOOP("table", "A tinkered unit that is cut waits in its loader."),
+        .silent = QT_TRANSLATE_NOOP("table", "turn the tinkered handle back")}}};
 
 /// Sends until the unit says that it has it.
 Task<void> deliver(Device &device, CanFrame frame, std::uint16_t at)

@@ -17,6 +17,12 @@ constexpr Parameter row(std::uint16_t number, std::string_view key, double one, 
         loop, label, help};
 }
 
+constexpr Parameter ofOutput(Parameter row)
+{
+    row.ofOutput = true;
+    return row;
+}
+
 constexpr std::array<Parameter, 3> parameters{{
     as(Role::Proportional,
         row(1, "loop.stiffness", 1000.0, "fraction/turn", 100.0, 5.0, QT_TRANSLATE_NOOP("table", "Tinkered stiffness"),
@@ -25,8 +31,8 @@ constexpr std::array<Parameter, 3> parameters{{
         row(2, "loop.damping", 1000.0, "fraction·s/turn", 100.0, 0.2, QT_TRANSLATE_NOOP("table", "Tinkered damping"),
             QT_TRANSLATE_NOOP("table", "Tinkered duty for a turn per second."))),
     as(Role::Limit,
-        row(3, "limit.duty", 10000.0, "fraction", 1.0, 1.0, QT_TRANSLATE_NOOP("table", "Tinkered limit"),
-            QT_TRANSLATE_NOOP("table", "Greatest duty in every mode."))),
+        ofOutput(row(3, "limit.duty", 10000.0, "fraction", 1.0, 1.0, QT_TRANSLATE_NOOP("table", "Tinkered limit"),
+            QT_TRANSLATE_NOOP("table", "Greatest duty in every mode.")))),
 }};
 static_assert(checkParameters(parameters));
 
