@@ -115,7 +115,7 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         m_knowledge.assume(index, *inForce);
     else if (inForce && parameter.nature != Nature::Counter)
-        m_parameters.setWritten(index, *inForce);
+        m_parameters.setWritten(index, *inForce, m_clock.now());
     if (inForce && family().capabilities.storesAtOnce)
         m_parameters.setAllStored();
     co_return inForce;

@@ -16,6 +16,14 @@ std::string_view toString(ParameterState state)
     return "";
 }
 
+ParameterStore::Entry ParameterStore::Entry::with(std::optional<std::int64_t> newer, ParameterState become) const
+{
+    if (become == ParameterState::Ram && state == ParameterState::Stored)
+        return {newer, become, raw};
+    const bool isKnown = become == ParameterState::Stored || become == ParameterState::Unknown;
+    return {newer, become, isKnown ? std::nullopt : flash};
+}
+
 void ParameterStore::setRead(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &p = parameter(index);
@@ -26,15 +34,18 @@ void ParameterStore::setRead(ParameterIndex index, std::int64_t raw)
     set(index, raw, state);
 }
 
-void ParameterStore::setWritten(ParameterIndex index, std::int64_t raw)
+void ParameterStore::setWritten(ParameterIndex index, std::int64_t raw, std::optional<Instant> now)
 {
     const Parameter &p = parameter(index);
+    const Entry before = entry(index);
     if (p.access == Access::WriteOnly || p.afterRestart)
         set(index, raw, ParameterState::Assumed);
     else if (!p.persistent)
         set(index, raw, ParameterState::Volatile);
     else
         set(index, raw, ParameterState::Ram);
+    if (entry(index).state == ParameterState::Ram && (before.state != ParameterState::Ram || before.raw != raw))
+        m_lastWrite = now;
 }
 
 void ParameterStore::setFailed(ParameterIndex index)
@@ -51,7 +62,7 @@ void ParameterStore::setAllStored()
 {
     for (Entry &e : m_entries.edit()) {
         if (e.state == ParameterState::Ram)
-            e.state = ParameterState::Stored;
+            e = e.with(e.raw, ParameterState::Stored);
     }
     touch();
 }
@@ -73,7 +84,8 @@ void ParameterStore::forgetAll()
 
 void ParameterStore::set(ParameterIndex index, std::optional<std::int64_t> raw, ParameterState state)
 {
-    m_entries.edit()[index.value] = {raw, state};
+    Entry &entry = m_entries.edit()[index.value];
+    entry = entry.with(raw, state);
     touch();
 }
 
@@ -81,6 +93,16 @@ void ParameterStore::touch()
 {
     ++m_revision;
     m_changed.notify();
+}
+
+std::vector<ParameterIndex> inRam(std::span<const ParameterStore::Entry> entries)
+{
+    std::vector<ParameterIndex> found;
+    for (std::uint16_t i = 0; i < entries.size(); ++i) {
+        if (entries[i].state == ParameterState::Ram && entries[i].raw)
+            found.push_back({i});
+    }
+    return found;
 }
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/clock.h"
 #include "async/listeners.h"
 #include "model/parameter.h"
 #include "model/shared.h"
@@ -27,6 +28,11 @@ public:
     struct Entry {
         std::optional<std::int64_t> raw;
         ParameterState state = ParameterState::Unknown;
+        /// Of what is newer in RAM: what flash has; nothing where that was never read. No device tells it.
+        std::optional<std::int64_t> flash{};
+
+        /// Of the same parameter once that is known of it.
+        [[nodiscard]] Entry with(std::optional<std::int64_t> raw, ParameterState state) const;
     };
 
     explicit ParameterStore(std::span<const Parameter> table)
@@ -43,7 +49,10 @@ public:
     [[nodiscard]] const Shared<std::vector<Entry>> &sharedEntries() const { return m_entries.shared(); }
 
     void setRead(ParameterIndex index, std::int64_t raw);
-    void setWritten(ParameterIndex index, std::int64_t raw);
+    /// `now`: of what may be in RAM only.
+    void setWritten(ParameterIndex index, std::int64_t raw, std::optional<Instant> now = {});
+    /// When something became newer in RAM than in flash last.
+    [[nodiscard]] std::optional<Instant> lastWrite() const { return m_lastWrite; }
     void setFailed(ParameterIndex index);
     /// What is in force is not known any more: Unknown, or Failed where an order had no answer.
     void forget(ParameterIndex index, ParameterState state = ParameterState::Unknown);
@@ -62,8 +71,12 @@ private:
 
     std::span<const Parameter> m_table;
     Published<std::vector<Entry>> m_entries;
+    std::optional<Instant> m_lastWrite;
     std::uint64_t m_revision = 0;
     Listeners<> m_changed;
 };
+
+/// Those that RAM has and flash perhaps not, in table order.
+[[nodiscard]] std::vector<ParameterIndex> inRam(std::span<const ParameterStore::Entry> entries);
 
 } // namespace mb

@@ -59,6 +59,7 @@ DeviceView viewOf(Session &session, Device &device)
         view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}, device.clock().now()));
     view.parameters = device.parameters().sharedEntries();
     view.parameterRevision = device.parameters().revision();
+    view.lastWrite = device.parameters().lastWrite();
     view.profile = device.knowledge().sharedProfile();
     if (auto allowed = device.mayMove(); !allowed)
         view.mayNotMove = allowed.error().message();

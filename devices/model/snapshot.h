@@ -68,6 +68,7 @@ struct DeviceView {
     std::vector<double> rates;                             ///< samples per second, in table order of the channels
     Shared<std::vector<ParameterStore::Entry>> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
+    std::optional<Instant> lastWrite; ///< ParameterStore::lastWrite()
     Shared<DeviceProfile> profile;
     Message mayNotMove; ///< empty when it may be driven
     StopState stop = StopState::None;

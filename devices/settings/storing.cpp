@@ -46,7 +46,7 @@ Task<void> recall(Device &device, SettingsLog &log)
         const Parameter *const parameter = index ? &device.parameters().parameter(*index) : nullptr;
         if (parameter && parameter->persistent && parameter->access == Access::ReadWrite && !parameter->afterRestart
             && parameter->nature == Nature::Setting)
-            device.parameters().setWritten(*index, raw);
+            device.parameters().setWritten(*index, raw, device.clock().now());
     }
     co_return {};
 }

@@ -217,6 +217,24 @@ TEST_F(CommonDevice, WhatIsWrittenIsKnownAsTheDeviceMadeIt)
     EXPECT_FALSE(entry(countedRow).raw) << "a count that was cleared is not what it was";
 }
 
+TEST_F(CommonDevice, TheLastWriteIsThatOfTheNewestValueThatFlashPerhapsDoesNotHave)
+{
+    make();
+    const ParameterStore &store = motor->parameters();
+    EXPECT_EQ(write(toldRow), 42);
+    EXPECT_EQ(store.lastWrite(), std::nullopt) << "nothing is known of its flash";
+    clock.advance(1s);
+    EXPECT_EQ(write(askedRow), 42);
+    const Instant first = clock.now();
+    EXPECT_EQ(store.lastWrite(), first);
+    clock.advance(1s);
+    EXPECT_EQ(write(askedRow), 42);
+    EXPECT_EQ(store.lastWrite(), first) << "it had that already";
+    motor->inForce = 43;
+    EXPECT_EQ(write(askedRow), 43);
+    EXPECT_EQ(store.lastWrite(), first + 1s);
+}
+
 TEST_F(CommonDevice, OfADeviceThatForgetsItsSettingsTheyAreKeptHere)
 {
     make(forgetfulFamily);

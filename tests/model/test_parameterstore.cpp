@@ -78,6 +78,35 @@ TEST_F(Store, MovesOnlyWhatIsInRamToStored)
     EXPECT_EQ(state(blind), ParameterState::Assumed) << "nobody can ask it";
 }
 
+TEST_F(Store, RemembersWhatFlashHasWhileRamIsNewer)
+{
+    store.setRead(kept, 1);
+    store.setWritten(kept, 3);
+    store.setWritten(kept, 4);
+    EXPECT_EQ(inRam(store.entries()), std::vector{kept});
+    EXPECT_EQ(store.entry(kept).flash, 1);
+    store.setFailed(kept);
+    store.setWritten(kept, 5);
+    EXPECT_EQ(store.entry(kept).flash, 1) << "a read without answer changed nothing in flash";
+    store.setAllStored();
+    EXPECT_TRUE(inRam(store.entries()).empty());
+    EXPECT_EQ(store.entry(kept).flash, std::nullopt);
+    store.setWritten(kept, 6);
+    EXPECT_EQ(store.entry(kept).flash, 5) << "what was proved";
+}
+
+TEST_F(Store, DoesNotKnowWhatFlashHasOfWhatWasNeverRead)
+{
+    store.setWritten(kept, 3);
+    store.setWritten(volatileOne, 4);
+    EXPECT_EQ(inRam(store.entries()), std::vector{kept});
+    EXPECT_EQ(store.entry(kept).flash, std::nullopt);
+    store.setRead(kept, 9);
+    store.forget(kept);
+    store.setWritten(kept, 3);
+    EXPECT_EQ(store.entry(kept).flash, std::nullopt) << "it was forgotten meanwhile";
+}
+
 TEST_F(Store, ForgetsWhatIsVolatileWithARestart)
 {
     store.setRead(kept, 1);

@@ -100,8 +100,11 @@ struct ParameterBench {
     void set(const char *key, double value, ParameterState state)
     {
         DeviceView &device = workbench.device(0);
-        device.parameters.edit()[named(key).value] = {rawOf(key, value), state};
+        ParameterStore::Entry &entry = device.parameters.edit()[named(key).value];
+        entry = entry.with(rawOf(key, value), state);
         ++device.parameterRevision;
+        if (state == ParameterState::Ram)
+            device.lastWrite = workbench.time;
         workbench.publish();
     }
 };

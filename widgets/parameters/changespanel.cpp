@@ -27,13 +27,11 @@ QWidget *surface(const char *name, QWidget *parent)
 
 } // namespace
 
-ChangesPanel::ChangesPanel(
-    const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger, QWidget *parent)
+ChangesPanel::ChangesPanel(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
     , m_workbench(workbench)
     , m_model(model)
-    , m_ledger(ledger)
 {
     setObjectName(QStringLiteral("changesPanel"));
     setAttribute(Qt::WA_StyledBackground);
@@ -129,11 +127,11 @@ void ChangesPanel::refresh(const DeviceView *device, const OperationView *operat
     RamBlock::State ram;
     if (device) {
         ram.family = device->family;
-        ram.rows = m_ledger.rows(device->id);
-        ram.lastWrite = m_ledger.lastWrite(device->id);
+        ram.parameters = device->parameters;
+        ram.lastWrite = device->lastWrite;
         ram.mayStore = !busy && device->liveness.heard;
     }
-    const bool holds = !ram.rows.empty();
+    const bool holds = device && !inRam(*device->parameters).empty();
     m_ram->show(std::move(ram));
     fillFoot(device, operation);
     const bool staged = m_model.edits() && m_model.edits()->count() > 0;

@@ -3,7 +3,6 @@
 
 #include "widgets/common/workbench.h"
 #include "widgets/parameters/parametermodel.h"
-#include "widgets/parameters/ramledger.h"
 
 #include <QWidget>
 
@@ -21,8 +20,7 @@ class RamBlock;
 class ChangesPanel : public QWidget {
     Q_OBJECT
 public:
-    ChangesPanel(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger,
-        QWidget *parent);
+    ChangesPanel(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, QWidget *parent);
 
     /// After a change of edits, snapshot or selection. `device` may be nullptr.
     void refresh(const DeviceView *device, const OperationView *operation);
@@ -53,7 +51,6 @@ private:
     const ThemeSource &m_theme;
     Workbench &m_workbench;
     ParameterModel &m_model;
-    const RamLedger &m_ledger;
     QVBoxLayout *m_all = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_foot = nullptr;

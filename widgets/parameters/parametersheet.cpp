@@ -11,8 +11,7 @@ constexpr int leastTable = 26 + 4 * 30; ///< units: its head and four rows
 
 } // namespace
 
-ParameterSheet::ParameterSheet(
-    const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger, QWidget *parent)
+ParameterSheet::ParameterSheet(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, QWidget *parent)
     : QSplitter(Qt::Horizontal, parent)
 {
     setChildrenCollapsible(false);
@@ -24,7 +23,7 @@ ParameterSheet::ParameterSheet(
     m_foot = new ParameterFoot(theme, left);
     rows->addWidget(m_view, 1);
     rows->addWidget(m_foot);
-    m_changes = new ChangesPanel(theme, workbench, model, ledger, this);
+    m_changes = new ChangesPanel(theme, workbench, model, this);
     setStretchFactor(0, 1);
     setStretchFactor(1, 0);
     m_changes->setMinimumWidth(theme.theme().u(changesWidth));

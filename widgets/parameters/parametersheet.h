@@ -13,8 +13,7 @@ namespace mb {
 class ParameterSheet : public QSplitter {
     Q_OBJECT
 public:
-    ParameterSheet(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger,
-        QWidget *parent);
+    ParameterSheet(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, QWidget *parent);
 
     [[nodiscard]] ParameterView &view() { return *m_view; }
     [[nodiscard]] ParameterFoot &foot() { return *m_foot; }

@@ -93,7 +93,7 @@ QWidget *ParametersPage::buildTable(BannerStack &banners)
     auto *content = new LeastHeight(this);
     m_head = new ParameterHead(m_theme, content);
     m_tools = new ParameterTools(m_theme, m_workbench, m_selection, *m_model, content);
-    m_sheet = new ParameterSheet(m_theme, m_workbench, *m_model, m_ledger, content);
+    m_sheet = new ParameterSheet(m_theme, m_workbench, *m_model, content);
     m_exchange = new FileExchange(m_workbench, banners, m_sheet->view());
     m_history = new HistoryPanel(m_workbench, m_theme, content);
     m_history->hide();
@@ -164,7 +164,6 @@ void ParametersPage::buildKeys()
 
 void ParametersPage::follow()
 {
-    m_ledger.observe(m_workbench.snapshot(), m_workbench.now());
     for (const DeviceView &device : m_workbench.snapshot().devices) {
         if (device.parameters->size() != device.family->parameters.size())
             continue;
@@ -319,7 +318,7 @@ void ParametersPage::write()
 void ParametersPage::store()
 {
     const DeviceView *shown = device();
-    if (isFree(shown, m_workbench.snapshot()) && !m_ledger.rows(shown->id).empty())
+    if (isFree(shown, m_workbench.snapshot()) && !inRam(*shown->parameters).empty())
         m_commands->store(shown->id);
 }
 

@@ -4,7 +4,6 @@
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
 #include "widgets/parameters/fileexchange.h"
-#include "widgets/parameters/ramledger.h"
 
 #include <QWidget>
 
@@ -80,7 +79,6 @@ private:
     EditDesk &m_desk;
     Selection &m_selection;
     const ThemeSource &m_theme;
-    RamLedger &m_ledger{m_workbench.kept<RamLedger>()};
     /// What the page showed last of a device; the same again needs no work.
     struct Shown {
         DeviceId device;

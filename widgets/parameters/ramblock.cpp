@@ -64,20 +64,21 @@ void RamBlock::build()
 void RamBlock::show(State state)
 {
     m_state = std::move(state);
-    const bool any = m_state.family && !m_state.rows.empty();
-    setVisible(any);
-    if (!any) {
+    const auto held = m_state.family ? inRam(*m_state.parameters) : std::vector<ParameterIndex>();
+    m_held = held.size();
+    setVisible(!held.empty());
+    if (held.empty()) {
         m_timer->stop();
         return;
     }
-    fillRows();
+    fillRows(held);
     m_store->setEnabled(m_state.mayStore);
     tick();
 }
 
-void RamBlock::fillRows()
+void RamBlock::fillRows(const std::vector<ParameterIndex> &held)
 {
-    const std::size_t shown = std::min(m_state.rows.size(), rowsShown);
+    const std::size_t shown = std::min(held.size(), rowsShown);
     while (m_labels.size() < 2 * shown) {
         auto *key = textLabel({}, TextRole::Raw, Tone::Text, this);
         auto *values = new QLabel(this);
@@ -91,11 +92,11 @@ void RamBlock::fillRows()
     for (std::size_t i = 0; i < m_labels.size(); ++i)
         m_labels[i]->setVisible(i < 2 * shown);
     for (std::size_t i = 0; i < shown; ++i) {
-        const RamLedger::Row &row = m_state.rows[i];
-        const Parameter &parameter = m_state.family->parameters[row.index.value];
+        const ParameterStore::Entry &entry = (*m_state.parameters)[held[i].value];
+        const Parameter &parameter = m_state.family->parameters[held[i].value];
         m_labels[2 * i]->setText(qt(parameter.key));
         m_labels[2 * i + 1]->setText(transitionText(
-            row.flash ? valueText(parameter, *row.flash) : QString(UnknownMark), valueText(parameter, row.ram)));
+            entry.flash ? valueText(parameter, *entry.flash) : QString(UnknownMark), valueText(parameter, *entry.raw)));
     }
 }
 
@@ -115,7 +116,7 @@ void RamBlock::tick()
         : counting                    ? tr("Read back and equal. Do not cut power yet.")
                                       : tr("The device should have stored by itself. Its own proof takes up to %1 s.")
                          .arg(m_state.family->capabilities.storeLimit.count());
-    if (const auto more = m_state.rows.size() - std::min(m_state.rows.size(), rowsShown); more > 0)
+    if (const auto more = m_held - std::min(m_held, rowsShown); more > 0)
         hint.prepend(tr("%1 more.").arg(more) + QLatin1Char(' '));
     m_hint->setText(hint);
     m_store->setVisible(!counting);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/snapshot.h"
 #include "widgets/common/theme.h"
-#include "widgets/parameters/ramledger.h"
 
 #include <QWidget>
 
@@ -27,7 +27,7 @@ public:
 
     struct State {
         const Family *family = nullptr;
-        std::vector<RamLedger::Row> rows;
+        Shared<std::vector<ParameterStore::Entry>> parameters;
         std::optional<Instant> lastWrite;
         bool mayStore = false; ///< online and not busy
     };
@@ -38,7 +38,7 @@ Q_SIGNALS:
 
 private:
     void build();
-    void fillRows();
+    void fillRows(const std::vector<ParameterIndex> &held);
     void tick();
 
     const ThemeSource &m_theme;
@@ -51,6 +51,7 @@ private:
     CommandButton *m_store = nullptr;
     QTimer *m_timer = nullptr;
     std::vector<QLabel *> m_labels;
+    std::size_t m_held = 0;
 };
 
 } // namespace mb

@@ -25,12 +25,6 @@ bool isOn(const DeviceView &device, std::string_view key)
     return entry.raw.value_or(0) != 0;
 }
 
-bool isAnyInRam(const DeviceView &device)
-{
-    return std::any_of(device.parameters->begin(), device.parameters->end(),
-        [](const ParameterStore::Entry &entry) { return entry.state == ParameterState::Ram; });
-}
-
 } // namespace
 
 Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject *parent)
@@ -125,7 +119,7 @@ void Guide::follow()
 
 void Guide::watch(const DeviceView &device)
 {
-    m_wrote = m_wrote || isAnyInRam(device);
+    m_wrote = m_wrote || !inRam(*device.parameters).empty();
     const OperationView *operation = m_workbench.snapshot().operation(device.id);
     const bool ended = operation && operation->status.state != OperationStatus::State::Running;
     if (!m_newest || (ended && operation->id.value != m_askedAfter))
@@ -141,7 +135,7 @@ bool Guide::isProved(Proof proof, const DeviceView &device) const
     case Proof::Tamed: return m_lastOvershoot && *m_lastOvershoot <= tame;
     case Proof::CurrentShown: return m_peakCurrent.has_value();
     case Proof::LimitOn: return isOn(device, currentSwitch(*device.family));
-    case Proof::Stored: return m_wrote && !isAnyInRam(device);
+    case Proof::Stored: return m_wrote && inRam(*device.parameters).empty();
     case Proof::StoppedShort: return m_left.has_value();
     case Proof::Arrived: return m_lastLeft && *m_lastLeft <= arrived;
     }

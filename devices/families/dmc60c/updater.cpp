@@ -123,7 +123,7 @@ Task<void> Updater::preflight(UpdateOptions options)
 Task<void> Updater::keepParameters()
 {
     const auto entries = m_device.parameters().entries();
-    if (std::ranges::any_of(entries, [](const auto &each) { return each.state == ParameterState::Ram; })) {
+    if (!inRam(entries).empty()) {
         const Result<bool> stored = co_await m_device.store(m_progress).attempt();
         if (!stored && stored.error().fault == Fault::LinkLost)
             co_return fail(stored.error());
