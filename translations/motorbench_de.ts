@@ -990,69 +990,6 @@
     </message>
 </context>
 <context>
-    <name>SendGuard</name>
-    <message>
-        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
-        <translation>An dieser Verbindung ist kein %1 %2 bekannt, STOP könnte es nicht erreichen. Zuerst suchen.</translation>
-    </message>
-    <message>
-        <source>Two units answer as %1. Assign one a new number first.</source>
-        <translation>Zwei Geräte antworten als %1. Zuerst einem eine neue Nummer zuweisen.</translation>
-    </message>
-    <message>
-        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 behält seinen letzten Sollwert für immer: es hat keinen Watchdog. Auf der Seite Regler ansteuern.</translation>
-    </message>
-    <message>
-        <source>%1 is busy: %2</source>
-        <translation>%1 ist beschäftigt: %2</translation>
-    </message>
-    <message>
-        <source>This window drives %1 already. Halt it first.</source>
-        <translation>Dieses Fenster steuert %1 bereits an. Zuerst anhalten.</translation>
-    </message>
-    <message>
-        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 ist nicht scharf. Gerät wählen, dann die Scharf-Taste in der Kopfzeile halten.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
-        <translation>„%1“ ist kein Frame wie etwa 02061405#8125</translation>
-    </message>
-    <message>
-        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
-        <translation>Der Identifier ist hexadezimal, etwa 7FF oder 02061405</translation>
-    </message>
-    <message>
-        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 hat mehr als 29 Bit: höchstens 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 hat mehr als 11 Bit: 29 Bit wählen</translation>
-    </message>
-    <message>
-        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
-        <translation>Die Daten sind Paare von Hexadezimalziffern, etwa 81 25 11</translation>
-    </message>
-    <message>
-        <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 Byte: ein Frame hat höchstens 8</translation>
-    </message>
-    <message>
-        <source>no decoder knows this identifier</source>
-        <translation>kein Decoder kennt diesen Identifier</translation>
-    </message>
-    <message>
-        <source>%1 of %2 #%3   %4</source>
-        <translation>%1 von %2 #%3   %4</translation>
-    </message>
-    <message>
-        <source>No open CAN link is shown. Open one first.</source>
-        <translation>Keine offene CAN-Verbindung wird angezeigt. Zuerst eine öffnen.</translation>
-    </message>
-</context>
-<context>
     <name>SignalText</name>
     <message>
         <source>small</source>
@@ -1211,6 +1148,33 @@
     <message>
         <source>event %1, waiting for the next</source>
         <translation>Ereignis %1, wartet auf das nächste</translation>
+    </message>
+</context>
+<context>
+    <name>TypedFrameText</name>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>„%1“ ist kein Frame wie etwa 02061405#8125</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>Der Identifier ist hexadezimal, etwa 7FF oder 02061405</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 hat mehr als 29 Bit: höchstens 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 hat mehr als 11 Bit: 29 Bit wählen</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>Die Daten sind Paare von Hexadezimalziffern, etwa 81 25 11</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 Byte: ein Frame hat höchstens 8</translation>
     </message>
 </context>
 <context>
@@ -3731,10 +3695,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Enter where the loop is to go.</source>
         <translation>Eingeben, wohin der Regelkreis soll.</translation>
-    </message>
-    <message>
-        <source>It is there already; enter another place to go to.</source>
-        <translation>Dort ist er schon; ein anderes Ziel eingeben.</translation>
     </message>
 </context>
 <context>
@@ -8894,6 +8854,14 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>the window lost the focus</source>
         <translation>das Fenster verlor den Fokus</translation>
+    </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>kein Decoder kennt diesen Identifier</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%1 von %2 #%3   %4</translation>
     </message>
 </context>
 <context>
@@ -19051,6 +19019,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the device did not write its flash within %1 s</source>
         <translation>das Gerät hat seinen Flash nicht innerhalb von %1 s geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 ist beschäftigt: %2</translation>
+    </message>
+    <message>
+        <source>%1 is driven already</source>
+        <translation>%1 wird bereits angesteuert</translation>
+    </message>
+    <message>
+        <source>%1 is not armed</source>
+        <translation>%1 ist nicht scharf</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog</source>
+        <translation>%1 behält seinen letzten Sollwert für immer: es hat keinen Watchdog</translation>
+    </message>
+    <message>
+        <source>assign one a new number first</source>
+        <translation>zuerst einem eine neue Nummer zuweisen</translation>
+    </message>
+    <message>
+        <source>drive it from the Tune page</source>
+        <translation>auf der Seite Regler ansteuern</translation>
+    </message>
+    <message>
+        <source>halt it first</source>
+        <translation>zuerst anhalten</translation>
+    </message>
+    <message>
+        <source>no %1 is known on this link, so STOP could not reach it</source>
+        <translation>an dieser Verbindung ist kein %1 bekannt, STOP könnte es nicht erreichen</translation>
+    </message>
+    <message>
+        <source>no open CAN link is shown</source>
+        <translation>keine offene CAN-Verbindung wird angezeigt</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>zuerst eine öffnen</translation>
+    </message>
+    <message>
+        <source>scan first</source>
+        <translation>zuerst suchen</translation>
+    </message>
+    <message>
+        <source>select it, then hold Arm in the header</source>
+        <translation>Gerät wählen, dann die Scharf-Taste in der Kopfzeile halten</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>zwei Geräte antworten als %1</translation>
     </message>
 </context>
 </TS>

@@ -990,69 +990,6 @@
     </message>
 </context>
 <context>
-    <name>SendGuard</name>
-    <message>
-        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
-        <translation>No se conoce ningún %1 %2 en este enlace, así que STOP no podría alcanzarlo. Busque primero.</translation>
-    </message>
-    <message>
-        <source>Two units answer as %1. Assign one a new number first.</source>
-        <translation>Dos equipos responden como %1. Asigne antes un número nuevo a uno de ellos.</translation>
-    </message>
-    <message>
-        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 conserva su última consigna para siempre: no tiene watchdog. Acciónelo desde la página Ajuste.</translation>
-    </message>
-    <message>
-        <source>%1 is busy: %2</source>
-        <translation>%1 está ocupado: %2</translation>
-    </message>
-    <message>
-        <source>This window drives %1 already. Halt it first.</source>
-        <translation>Esta ventana ya acciona %1. Deténgalo primero.</translation>
-    </message>
-    <message>
-        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 no está armado. Selecciónelo y mantenga pulsado Armar en la cabecera.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
-        <translation>«%1» no es una trama como 02061405#8125</translation>
-    </message>
-    <message>
-        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
-        <translation>El identificador es hexadecimal, como 7FF o 02061405</translation>
-    </message>
-    <message>
-        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 tiene más de 29 bits: como máximo 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 tiene más de 11 bits: elija 29 bits</translation>
-    </message>
-    <message>
-        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
-        <translation>Los datos son pares de dígitos hexadecimales, como 81 25 11</translation>
-    </message>
-    <message>
-        <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 bytes: una trama tiene 8 como máximo</translation>
-    </message>
-    <message>
-        <source>no decoder knows this identifier</source>
-        <translation>ningún decodificador conoce este identificador</translation>
-    </message>
-    <message>
-        <source>%1 of %2 #%3   %4</source>
-        <translation>%1 de %2 #%3   %4</translation>
-    </message>
-    <message>
-        <source>No open CAN link is shown. Open one first.</source>
-        <translation>No se muestra ningún enlace CAN abierto. Abra uno primero.</translation>
-    </message>
-</context>
-<context>
     <name>SignalText</name>
     <message>
         <source>small</source>
@@ -1211,6 +1148,33 @@
     <message>
         <source>event %1, waiting for the next</source>
         <translation>evento %1, esperando el siguiente</translation>
+    </message>
+</context>
+<context>
+    <name>TypedFrameText</name>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>«%1» no es una trama como 02061405#8125</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>El identificador es hexadecimal, como 7FF o 02061405</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 tiene más de 29 bits: como máximo 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 tiene más de 11 bits: elija 29 bits</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>Los datos son pares de dígitos hexadecimales, como 81 25 11</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 bytes: una trama tiene 8 como máximo</translation>
     </message>
 </context>
 <context>
@@ -3731,10 +3695,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>Enter where the loop is to go.</source>
         <translation>Introduzca adónde debe ir el lazo.</translation>
-    </message>
-    <message>
-        <source>It is there already; enter another place to go to.</source>
-        <translation>Ya está ahí; introduzca otro destino.</translation>
     </message>
 </context>
 <context>
@@ -8894,6 +8854,14 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>the window lost the focus</source>
         <translation>la ventana perdió el foco</translation>
+    </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>ningún decodificador conoce este identificador</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%1 de %2 #%3   %4</translation>
     </message>
 </context>
 <context>
@@ -19051,6 +19019,58 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>the device did not write its flash within %1 s</source>
         <translation>el dispositivo no escribió su flash en %1 s</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 está ocupado: %2</translation>
+    </message>
+    <message>
+        <source>%1 is driven already</source>
+        <translation>%1 ya se está accionando</translation>
+    </message>
+    <message>
+        <source>%1 is not armed</source>
+        <translation>%1 no está armado</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog</source>
+        <translation>%1 conserva su última consigna para siempre: no tiene watchdog</translation>
+    </message>
+    <message>
+        <source>assign one a new number first</source>
+        <translation>asigne antes un número nuevo a uno de ellos</translation>
+    </message>
+    <message>
+        <source>drive it from the Tune page</source>
+        <translation>acciónelo desde la página Ajuste</translation>
+    </message>
+    <message>
+        <source>halt it first</source>
+        <translation>deténgalo primero</translation>
+    </message>
+    <message>
+        <source>no %1 is known on this link, so STOP could not reach it</source>
+        <translation>no se conoce ningún %1 en este enlace, así que STOP no podría alcanzarlo</translation>
+    </message>
+    <message>
+        <source>no open CAN link is shown</source>
+        <translation>no se muestra ningún enlace CAN abierto</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>abra uno primero</translation>
+    </message>
+    <message>
+        <source>scan first</source>
+        <translation>busque primero</translation>
+    </message>
+    <message>
+        <source>select it, then hold Arm in the header</source>
+        <translation>selecciónelo y mantenga pulsado Armar en la cabecera</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>dos equipos responden como %1</translation>
     </message>
 </context>
 </TS>

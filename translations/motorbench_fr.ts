@@ -793,7 +793,7 @@
     </message>
     <message>
         <source>Controllers of every family with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
+        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
     </message>
 </context>
 <context>
@@ -990,69 +990,6 @@
     </message>
 </context>
 <context>
-    <name>SendGuard</name>
-    <message>
-        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
-        <translation>Aucun %1 %2 n’est connu sur cette liaison, STOP ne pourrait pas l’atteindre. Lancez d’abord une recherche.</translation>
-    </message>
-    <message>
-        <source>Two units answer as %1. Assign one a new number first.</source>
-        <translation>Deux appareils répondent comme %1. Attribuez d’abord un nouveau numéro à l’un d’eux.</translation>
-    </message>
-    <message>
-        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 garde sa dernière consigne indéfiniment&#xa0;: il n’a pas de chien de garde. Pilotez-le depuis la page Réglage.</translation>
-    </message>
-    <message>
-        <source>%1 is busy: %2</source>
-        <translation>%1 est occupé&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>This window drives %1 already. Halt it first.</source>
-        <translation>Cette fenêtre pilote déjà %1. Arrêtez-le d’abord.</translation>
-    </message>
-    <message>
-        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 n’est pas armé. Sélectionnez-le, puis maintenez Armer dans l’en-tête.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas une trame telle que 02061405#8125</translation>
-    </message>
-    <message>
-        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
-        <translation>L’identifiant est hexadécimal, par exemple 7FF ou 02061405</translation>
-    </message>
-    <message>
-        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 dépasse 29 bits&#xa0;: 1FFFFFFF au plus</translation>
-    </message>
-    <message>
-        <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 dépasse 11 bits&#xa0;: choisissez 29 bits</translation>
-    </message>
-    <message>
-        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
-        <translation>Les données sont des paires de chiffres hexadécimaux, par exemple 81 25 11</translation>
-    </message>
-    <message>
-        <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 octets&#xa0;: une trame en a 8 au plus</translation>
-    </message>
-    <message>
-        <source>no decoder knows this identifier</source>
-        <translation>aucun décodeur ne connaît cet identifiant</translation>
-    </message>
-    <message>
-        <source>%1 of %2 #%3   %4</source>
-        <translation>%1 de %2 #%3   %4</translation>
-    </message>
-    <message>
-        <source>No open CAN link is shown. Open one first.</source>
-        <translation>Aucune liaison CAN ouverte n’est affichée. Ouvrez-en une d’abord.</translation>
-    </message>
-</context>
-<context>
     <name>SignalText</name>
     <message>
         <source>small</source>
@@ -1175,7 +1112,7 @@
     </message>
     <message>
         <source>On the page Parameters switch the current limit on (search: %7), set it to what the motor may have, and write.</source>
-        <translation>Dans la page Paramètres, activez la limite de courant (cherchez : %7), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
+        <translation>Dans la page Paramètres, activez la limite de courant (cherchez&#xa0;: %7), réglez-la à ce que le moteur peut supporter, et écrivez.</translation>
     </message>
     <message>
         <source>%6Press Store and prove on the page Parameters.</source>
@@ -1211,6 +1148,33 @@
     <message>
         <source>event %1, waiting for the next</source>
         <translation>événement %1, attente du suivant</translation>
+    </message>
+</context>
+<context>
+    <name>TypedFrameText</name>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une trame telle que 02061405#8125</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>L’identifiant est hexadécimal, par exemple 7FF ou 02061405</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 dépasse 29 bits&#xa0;: 1FFFFFFF au plus</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 dépasse 11 bits&#xa0;: choisissez 29 bits</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>Les données sont des paires de chiffres hexadécimaux, par exemple 81 25 11</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 octets&#xa0;: une trame en a 8 au plus</translation>
     </message>
 </context>
 <context>
@@ -3731,10 +3695,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>Enter where the loop is to go.</source>
         <translation>Saisissez où la boucle doit aller.</translation>
-    </message>
-    <message>
-        <source>It is there already; enter another place to go to.</source>
-        <translation>Il y est déjà&#x202f;; saisissez une autre destination.</translation>
     </message>
 </context>
 <context>
@@ -8895,6 +8855,14 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>the window lost the focus</source>
         <translation>la fenêtre a perdu le focus</translation>
     </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>aucun décodeur ne connaît cet identifiant</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%1 de %2 #%3   %4</translation>
+    </message>
 </context>
 <context>
     <name>mb::SessionDesk</name>
@@ -9292,7 +9260,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>Controllers of every family with real bus timing; nothing real can move.</source>
-        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus ; rien de réel ne peut bouger.</translation>
+        <translation>Contrôleurs de toutes les familles avec un vrai cadencement de bus&#x202f;; rien de réel ne peut bouger.</translation>
     </message>
 </context>
 <context>
@@ -19051,6 +19019,58 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>the device did not write its flash within %1 s</source>
         <translation>l’appareil n’a pas écrit sa flash en %1 s</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 est occupé&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 is driven already</source>
+        <translation>%1 est déjà piloté</translation>
+    </message>
+    <message>
+        <source>%1 is not armed</source>
+        <translation>%1 n’est pas armé</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog</source>
+        <translation>%1 garde sa dernière consigne indéfiniment&#xa0;: il n’a pas de chien de garde</translation>
+    </message>
+    <message>
+        <source>assign one a new number first</source>
+        <translation>attribuez d’abord un nouveau numéro à l’un d’eux</translation>
+    </message>
+    <message>
+        <source>drive it from the Tune page</source>
+        <translation>pilotez-le depuis la page Réglage</translation>
+    </message>
+    <message>
+        <source>halt it first</source>
+        <translation>arrêtez-le d’abord</translation>
+    </message>
+    <message>
+        <source>no %1 is known on this link, so STOP could not reach it</source>
+        <translation>aucun %1 n’est connu sur cette liaison, STOP ne pourrait pas l’atteindre</translation>
+    </message>
+    <message>
+        <source>no open CAN link is shown</source>
+        <translation>aucune liaison CAN ouverte n’est affichée</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>ouvrez-en une d’abord</translation>
+    </message>
+    <message>
+        <source>scan first</source>
+        <translation>lancez d’abord une recherche</translation>
+    </message>
+    <message>
+        <source>select it, then hold Arm in the header</source>
+        <translation>sélectionnez-le, puis maintenez Armer dans l’en-tête</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>deux appareils répondent comme %1</translation>
     </message>
 </context>
 </TS>

@@ -989,69 +989,6 @@
     </message>
 </context>
 <context>
-    <name>SendGuard</name>
-    <message>
-        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
-        <translation>このリンクに %1 %2 が見つかっていないため、STOP が届きません。先にスキャンしてください。</translation>
-    </message>
-    <message>
-        <source>Two units answer as %1. Assign one a new number first.</source>
-        <translation>2 台の機器が %1 として応答しています。先に一方へ新しい番号を割り当ててください。</translation>
-    </message>
-    <message>
-        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 はウォッチドッグがないため、最後の目標値を保持し続けます。「調整」ページから駆動してください。</translation>
-    </message>
-    <message>
-        <source>%1 is busy: %2</source>
-        <translation>%1 はビジーです: %2</translation>
-    </message>
-    <message>
-        <source>This window drives %1 already. Halt it first.</source>
-        <translation>%1 はすでにこのウィンドウが駆動しています。先に停止してください。</translation>
-    </message>
-    <message>
-        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 は駆動許可されていません。選択して、ヘッダの駆動許可ボタンを長押ししてください。</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
-        <translation>「%1」はフレームではありません (例: 02061405#8125)</translation>
-    </message>
-    <message>
-        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
-        <translation>識別子は 16 進数です (例: 7FF、02061405)</translation>
-    </message>
-    <message>
-        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 は 29 ビットを超えています: 最大 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 は 11 ビットを超えています: 29 ビットを選択してください</translation>
-    </message>
-    <message>
-        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
-        <translation>データは 2 桁ずつの 16 進数です (例: 81 25 11)</translation>
-    </message>
-    <message>
-        <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 バイト: フレームは最大 8 バイトです</translation>
-    </message>
-    <message>
-        <source>no decoder knows this identifier</source>
-        <translation>この識別子に対応するデコーダがありません</translation>
-    </message>
-    <message>
-        <source>%1 of %2 #%3   %4</source>
-        <translation>%2 #%3 の %1   %4</translation>
-    </message>
-    <message>
-        <source>No open CAN link is shown. Open one first.</source>
-        <translation>開いている CAN リンクが表示されていません。先に開いてください。</translation>
-    </message>
-</context>
-<context>
     <name>SignalText</name>
     <message>
         <source>small</source>
@@ -1210,6 +1147,33 @@
     <message>
         <source>event %1, waiting for the next</source>
         <translation>イベント %1、次を待機中</translation>
+    </message>
+</context>
+<context>
+    <name>TypedFrameText</name>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>「%1」はフレームではありません (例: 02061405#8125)</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>識別子は 16 進数です (例: 7FF、02061405)</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 は 29 ビットを超えています: 最大 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 は 11 ビットを超えています: 29 ビットを選択してください</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>データは 2 桁ずつの 16 進数です (例: 81 25 11)</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 バイト: フレームは最大 8 バイトです</translation>
     </message>
 </context>
 <context>
@@ -3729,10 +3693,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Enter where the loop is to go.</source>
         <translation>制御ループの行き先を入力してください。</translation>
-    </message>
-    <message>
-        <source>It is there already; enter another place to go to.</source>
-        <translation>すでにその位置です。別の行き先を入力してください。</translation>
     </message>
 </context>
 <context>
@@ -8883,6 +8843,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>the window lost the focus</source>
         <translation>ウィンドウがフォーカスを失いました</translation>
+    </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>この識別子に対応するデコーダがありません</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%2 #%3 の %1   %4</translation>
     </message>
 </context>
 <context>
@@ -19034,6 +19002,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the device did not write its flash within %1 s</source>
         <translation>機器が %1 s 以内にフラッシュへ書き込みませんでした</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 はビジーです: %2</translation>
+    </message>
+    <message>
+        <source>%1 is driven already</source>
+        <translation>%1 はすでに駆動されています</translation>
+    </message>
+    <message>
+        <source>%1 is not armed</source>
+        <translation>%1 は駆動許可されていません</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog</source>
+        <translation>%1 はウォッチドッグがないため、最後の目標値を保持し続けます</translation>
+    </message>
+    <message>
+        <source>assign one a new number first</source>
+        <translation>先に一方へ新しい番号を割り当ててください</translation>
+    </message>
+    <message>
+        <source>drive it from the Tune page</source>
+        <translation>「調整」ページから駆動してください</translation>
+    </message>
+    <message>
+        <source>halt it first</source>
+        <translation>先に停止してください</translation>
+    </message>
+    <message>
+        <source>no %1 is known on this link, so STOP could not reach it</source>
+        <translation>このリンクに %1 が見つかっていないため、STOP が届きません</translation>
+    </message>
+    <message>
+        <source>no open CAN link is shown</source>
+        <translation>開いている CAN リンクが表示されていません</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>先に開いてください</translation>
+    </message>
+    <message>
+        <source>scan first</source>
+        <translation>先にスキャンしてください</translation>
+    </message>
+    <message>
+        <source>select it, then hold Arm in the header</source>
+        <translation>選択して、ヘッダの駆動許可ボタンを長押ししてください</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>2 台の機器が %1 として応答しています</translation>
     </message>
 </context>
 </TS>

@@ -989,69 +989,6 @@
     </message>
 </context>
 <context>
-    <name>SendGuard</name>
-    <message>
-        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
-        <translation>此链路上没有已知的 %1 %2，STOP 将无法到达它。请先扫描。</translation>
-    </message>
-    <message>
-        <source>Two units answer as %1. Assign one a new number first.</source>
-        <translation>有两台设备以 %1 应答。请先为其中一台分配新编号。</translation>
-    </message>
-    <message>
-        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
-        <translation>%1 会永久保持其最后的设定值：它没有看门狗。请从“整定”页面驱动它。</translation>
-    </message>
-    <message>
-        <source>%1 is busy: %2</source>
-        <translation>%1 忙：%2</translation>
-    </message>
-    <message>
-        <source>This window drives %1 already. Halt it first.</source>
-        <translation>此窗口已在驱动 %1。请先停止它。</translation>
-    </message>
-    <message>
-        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 未解锁。请选中它，然后按住标题栏中的“解锁”。</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
-        <translation>“%1”不是帧，格式例如 02061405#8125</translation>
-    </message>
-    <message>
-        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
-        <translation>标识符为十六进制，例如 7FF 或 02061405</translation>
-    </message>
-    <message>
-        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
-        <translation>%1 超过 29 位：最大为 1FFFFFFF</translation>
-    </message>
-    <message>
-        <source>%1 has more than 11 bits: choose 29 bits</source>
-        <translation>%1 超过 11 位：请选择 29 位</translation>
-    </message>
-    <message>
-        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
-        <translation>数据为成对的十六进制数字，例如 81 25 11</translation>
-    </message>
-    <message>
-        <source>%1 bytes: a frame has at most 8</source>
-        <translation>%1 字节：一帧最多 8 字节</translation>
-    </message>
-    <message>
-        <source>no decoder knows this identifier</source>
-        <translation>没有解码器认识此标识符</translation>
-    </message>
-    <message>
-        <source>%1 of %2 #%3   %4</source>
-        <translation>%1，%2 #%3   %4</translation>
-    </message>
-    <message>
-        <source>No open CAN link is shown. Open one first.</source>
-        <translation>当前未显示已打开的 CAN 链路。请先打开一个。</translation>
-    </message>
-</context>
-<context>
     <name>SignalText</name>
     <message>
         <source>small</source>
@@ -1210,6 +1147,33 @@
     <message>
         <source>event %1, waiting for the next</source>
         <translation>事件 %1，等待下一个</translation>
+    </message>
+</context>
+<context>
+    <name>TypedFrameText</name>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>“%1”不是帧，格式例如 02061405#8125</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>标识符为十六进制，例如 7FF 或 02061405</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 超过 29 位：最大为 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 超过 11 位：请选择 29 位</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>数据为成对的十六进制数字，例如 81 25 11</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 字节：一帧最多 8 字节</translation>
     </message>
 </context>
 <context>
@@ -3729,10 +3693,6 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>Enter where the loop is to go.</source>
         <translation>请输入回路的目标。</translation>
-    </message>
-    <message>
-        <source>It is there already; enter another place to go to.</source>
-        <translation>已在该处；请输入其他目标。</translation>
     </message>
 </context>
 <context>
@@ -8883,6 +8843,14 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>the window lost the focus</source>
         <translation>窗口失去焦点</translation>
+    </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>没有解码器认识此标识符</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%1，%2 #%3   %4</translation>
     </message>
 </context>
 <context>
@@ -19034,6 +19002,58 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>the device did not write its flash within %1 s</source>
         <translation>设备未在 %1 s 内写入其闪存</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 忙：%2</translation>
+    </message>
+    <message>
+        <source>%1 is driven already</source>
+        <translation>%1 已在被驱动</translation>
+    </message>
+    <message>
+        <source>%1 is not armed</source>
+        <translation>%1 未解锁</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog</source>
+        <translation>%1 会永久保持其最后的设定值：它没有看门狗</translation>
+    </message>
+    <message>
+        <source>assign one a new number first</source>
+        <translation>请先为其中一台分配新编号</translation>
+    </message>
+    <message>
+        <source>drive it from the Tune page</source>
+        <translation>请从“整定”页面驱动它</translation>
+    </message>
+    <message>
+        <source>halt it first</source>
+        <translation>请先停止它</translation>
+    </message>
+    <message>
+        <source>no %1 is known on this link, so STOP could not reach it</source>
+        <translation>此链路上没有已知的 %1，STOP 将无法到达它</translation>
+    </message>
+    <message>
+        <source>no open CAN link is shown</source>
+        <translation>当前未显示已打开的 CAN 链路</translation>
+    </message>
+    <message>
+        <source>open one first</source>
+        <translation>请先打开一个</translation>
+    </message>
+    <message>
+        <source>scan first</source>
+        <translation>请先扫描</translation>
+    </message>
+    <message>
+        <source>select it, then hold Arm in the header</source>
+        <translation>请选中它，然后按住标题栏中的“解锁”</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>有两台设备以 %1 应答</translation>
     </message>
 </context>
 </TS>

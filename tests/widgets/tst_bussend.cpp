@@ -16,8 +16,7 @@ private Q_SLOTS:
     void successIsSaidOnlyWhenTheLinkTookIt();
     void aControlFrameNeedsArmingAndAHeldButton();
     void aShortPressSendsNoControlFrame();
-    void aControlFrameIsRefused_data();
-    void aControlFrameIsRefused();
+    void whatIsRefusedSaysWhy();
     void stopEndsARepetitionAndStopsTheMotor();
     void aLostFocusEndsARepetitionThatMovesAMotor();
     void leavingThePageEndsARepetition();
@@ -100,52 +99,14 @@ void BusSendTest::aShortPressSendsNoControlFrame()
     QCOMPARE(bench.sent(), std::size_t{0});
 }
 
-void BusSendTest::aControlFrameIsRefused_data()
+void BusSendTest::whatIsRefusedSaysWhy()
 {
-    QTest::addColumn<QString>("when");
-    QTest::addColumn<QString>("says");
-    for (const auto &[when, says] : std::initializer_list<std::pair<const char *, const char *>>{
-             {"unknown", "No DMC60C #12 is known on this link"},
-             {"duplicate", "Two units answer as #5"},
-             {"driven", "This window drives DMC60C #5 already"},
-             {"busy", "DMC60C #5 is busy: firmware update"},
-             {"forbidden", "in its bootloader"},
-             {"lost", "the adapter went away"},
-             {"unguarded", "it has no watchdog"},
-         })
-        QTest::newRow(when) << QString::fromLatin1(when) << QString::fromLatin1(says);
-}
-
-void BusSendTest::aControlFrameIsRefused()
-{
-    QFETCH(QString, when);
-    QFETCH(QString, says);
-    static const Family unguarded = [] {
-        Family family = dmc60c();
-        family.capabilities.watchdog = false;
-        return family;
-    }();
     BusBench bench;
     bench.arming.arm({1});
-    DeviceView &five = bench.workbench.device(0);
-    if (when == QLatin1String("duplicate"))
-        bench.workbench.shot.devices.push_back(readDrive(3, 5)), bench.workbench.shot.devices.back().link = "sim:can";
-    else if (when == QLatin1String("driven"))
-        five.motion.running = true;
-    else if (when == QLatin1String("busy"))
-        five.busy = say("firmware update");
-    else if (when == QLatin1String("forbidden"))
-        five.mayNotMove = say("it is in its bootloader");
-    else if (when == QLatin1String("lost"))
-        bench.workbench.shot.links[0].state = LinkState::Lost,
-        bench.workbench.shot.links[0].reason = say("the adapter went away");
-    else if (when == QLatin1String("unguarded"))
-        five.family = &unguarded;
-    const CanFrame frame
-        = canFrameFromText(when == QLatin1String("unknown") ? "0206000C#7100000000280000" : controlOf5).value();
-    const SendVerdict verdict = judgeFrame(frame, "sim:can", bench.workbench.shot, bench.arming);
-    QVERIFY(verdict.control);
-    QVERIFY2(verdict.refusal.contains(says), qPrintable(verdict.refusal));
+    bench.workbench.device(0).busy = say("firmware update");
+    bench.type("02060005", "71 00 00 00 00 28 00 00");
+    QVERIFY(!bench.sendButton().isEnabled());
+    QVERIFY(bench.panelText().contains(QStringLiteral("DMC60C #5 is busy: firmware update")));
 }
 
 void BusSendTest::stopEndsARepetitionAndStopsTheMotor()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/buspage.h"
 
+#include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/filechoice.h"
@@ -170,7 +171,7 @@ void BusPage::followLinks()
     if (!shown) // what a link that is closed left stays
         return m_bar->setState(m_address.empty() ? QString() : tr("%1 is not open").arg(shownName(m_address)));
     m_source = {shown->name, shown->simulated, m_workbench.wallClock(shown->address)};
-    const FrameDecoder decoder = decoderFor(m_workbench.snapshot(), shown->address);
+    const FrameDecoder decoder = decoderFor(families(), m_workbench.snapshot(), shown->address);
     m_model->setDecoder(decoder);
     m_ids->setDecoder(decoder);
     m_model->setSource(shown->traffic, shown->kind);

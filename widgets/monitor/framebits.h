@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/monitor/framedecoder.h"
+#include "model/framedecoder.h"
 
 #include <QString>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/monitor/framedecoder.h"
+#include "model/framedecoder.h"
+#include "model/registry.h"
 
 #include <map>
 #include <memory>
@@ -24,7 +25,8 @@ struct FrameRow {
 class FrameSuccession {
 public:
     explicit FrameSuccession(LinkKind kind)
-        : m_packets(kind)
+        : m_follower(families())
+        , m_packets(families(), kind)
     {
     }
     [[nodiscard]] FrameRow next(TrafficRecord record);

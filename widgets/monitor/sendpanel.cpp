@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/sendpanel.h"
 
+#include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/guarded.h"
 #include "widgets/common/holdbutton.h"
@@ -105,24 +106,40 @@ void SendPanel::setFrame(const CanFrame &frame)
 void SendPanel::follow()
 {
     m_typed = readTypedFrame(m_id->text(), m_format->current() == 1, m_data->text());
-    m_verdict = m_typed.frame ? judgeFrame(*m_typed.frame, m_link, m_workbench.snapshot(), m_arming) : SendVerdict{};
-    if (isRepeating() && (!m_typed.frame || !m_verdict.refusal.isEmpty()))
-        endRepeat(m_typed.frame ? m_verdict.refusal : m_typed.problem);
+    m_permit = m_typed.frame ? permit() : FramePermit{};
     const bool empty = m_id->text().trimmed().isEmpty();
-    const QString problem = m_typed.frame ? m_verdict.refusal : empty ? QString() : m_typed.problem;
+    const QString problem = m_permit.refusal ? errorText(*m_permit.refusal) : empty ? QString() : m_typed.problem;
+    if (isRepeating() && (!m_typed.frame || m_permit.refusal))
+        endRepeat(m_typed.frame ? problem : m_typed.problem);
     m_id->setEnabled(!isRepeating());
     m_data->setEnabled(!isRepeating());
     m_format->setEnabled(!isRepeating());
-    m_send->setHoldNeeded(m_verdict.control && !isRepeating());
-    m_send->setRole(isRepeating() ? tr("End repeating") : m_verdict.control ? tr("Hold to send") : tr("Send"));
+    m_send->setHoldNeeded(m_permit.control && !isRepeating());
+    m_send->setRole(isRepeating() ? tr("End repeating") : m_permit.control ? tr("Hold to send") : tr("Send"));
     m_send->setEnabled(isRepeating() || (m_typed.frame && problem.isEmpty()));
-    QString meaning = !problem.isEmpty() ? problem
-        : empty                          ? tr("What is typed here is decoded before it is sent")
-                                         : m_verdict.meaning;
-    if (problem.isEmpty() && m_verdict.control)
-        meaning = tr("Makes a motor move: %1").arg(meaning);
-    m_meaning->setText(meaning);
-    setTone(*m_meaning, !problem.isEmpty() ? Tone::Danger : m_verdict.control ? Tone::Caution : Tone::Dim);
+    QString shown = !problem.isEmpty() ? problem
+        : empty                        ? tr("What is typed here is decoded before it is sent")
+                                       : meaning();
+    if (problem.isEmpty() && m_permit.control)
+        shown = tr("Makes a motor move: %1").arg(shown);
+    m_meaning->setText(shown);
+    setTone(*m_meaning, !problem.isEmpty() ? Tone::Danger : m_permit.control ? Tone::Caution : Tone::Dim);
+}
+
+FramePermit SendPanel::permit() const
+{
+    return permitFor(*m_typed.frame, m_link, m_workbench.snapshot(), families(),
+        [this](DeviceId device) { return m_arming.isArmed(device); });
+}
+
+QString SendPanel::meaning() const
+{
+    const auto &meaning = m_permit.meaning;
+    return !meaning ? tr("no decoder knows this identifier")
+                    : tr("%1 of %2 #%3   %4")
+                          .arg(qt(meaning->frame.message), qt(meaning->family->title))
+                          .arg(meaning->frame.address)
+                          .arg(fieldsLine(meaning->frame));
 }
 
 void SendPanel::activate()
@@ -132,12 +149,12 @@ void SendPanel::activate()
         return;
     }
     follow();
-    if (!m_typed.frame || !m_verdict.refusal.isEmpty())
+    if (!m_typed.frame || m_permit.refusal)
         return;
     m_sent = 0;
     if (m_again->isChecked()) {
-        m_moves = m_verdict.control;
-        m_moved = m_verdict.device;
+        m_moves = m_permit.control;
+        m_moved = m_permit.device;
         m_repeat.start(m_period->value());
     }
     send();
@@ -147,9 +164,8 @@ void SendPanel::activate()
 void SendPanel::send()
 {
     // Judged again each time: STOP, disarming or another master must end this at once.
-    const SendVerdict verdict = judgeFrame(*m_typed.frame, m_link, m_workbench.snapshot(), m_arming);
-    if (!verdict.refusal.isEmpty())
-        return endRepeat(verdict.refusal);
+    if (const auto refusal = permit().refusal)
+        return endRepeat(errorText(*refusal));
     constexpr int mostWaiting = 50;
     if (m_waiting >= mostWaiting)
         return endRepeat(tr("The link does not take frames as fast as they are sent"));

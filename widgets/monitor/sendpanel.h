@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/framepermit.h"
 #include "widgets/common/workbench.h"
-#include "widgets/monitor/sendguard.h"
+#include "widgets/control/arming.h"
+#include "widgets/monitor/typedframe.h"
 
 #include <QFrame>
 #include <QTimer>
@@ -38,6 +40,8 @@ protected:
 private:
     void buildFields(WrapLayout &row);
     void follow();
+    [[nodiscard]] FramePermit permit() const;
+    [[nodiscard]] QString meaning() const;
     void activate();
     void send();
     void sent(const Result<void> &result);
@@ -48,7 +52,7 @@ private:
     const ThemeSource &m_theme;
     std::string m_link;
     TypedFrame m_typed;
-    SendVerdict m_verdict;
+    FramePermit m_permit;
     DeviceId m_moved; ///< by the repetition that runs
     bool m_moves = false;
     int m_waiting = 0;

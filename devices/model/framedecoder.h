@@ -41,7 +41,7 @@ private:
 /// Shown all frames of one link in their order: whom a frame is from that does not tell it by itself (Family::followCan).
 class FrameFollower {
 public:
-    FrameFollower();
+    explicit FrameFollower(std::span<const Family *const> families);
     /// Nothing where the frame says it itself, or nobody can know.
     [[nodiscard]] std::optional<int> addressOf(const CanFrame &frame);
 
@@ -52,14 +52,15 @@ private:
 /// Shown all bytes of one serial or SPI link in their order: which packets they complete, as `motorbenchctl decode` tells them.
 class ByteFollower {
 public:
-    explicit ByteFollower(LinkKind kind);
+    ByteFollower(std::span<const Family *const> families, LinkKind kind);
     [[nodiscard]] std::vector<FrameMeaning> take(const TrafficRecord &record);
 
 private:
     std::vector<std::pair<const Family *, std::unique_ptr<ByteDecoder>>> m_decoders; ///< of the families on such links
 };
 
-/// Every family of the program, and the dialects of the devices that were found on a link.
-[[nodiscard]] FrameDecoder decoderFor(const Snapshot &shot, const std::string &link);
+/// With the dialects of the devices that were found on a link.
+[[nodiscard]] FrameDecoder decoderFor(
+    std::span<const Family *const> families, const Snapshot &shot, const std::string &link);
 
 } // namespace mb

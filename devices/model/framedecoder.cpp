@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/monitor/framedecoder.h"
-
-#include "model/registry.h"
+#include "model/framedecoder.h"
 
 #include <algorithm>
 
@@ -50,9 +48,9 @@ std::optional<FrameMeaning> FrameDecoder::control(const CanFrame &frame) const
     return std::nullopt;
 }
 
-FrameFollower::FrameFollower()
+FrameFollower::FrameFollower(std::span<const Family *const> families)
 {
-    for (const Family *family : families()) {
+    for (const Family *family : families) {
         if (family->followCan)
             m_decoders.emplace_back(family, family->followCan({}));
     }
@@ -71,9 +69,9 @@ std::optional<int> FrameFollower::addressOf(const CanFrame &frame)
     return address;
 }
 
-ByteFollower::ByteFollower(LinkKind kind)
+ByteFollower::ByteFollower(std::span<const Family *const> families, LinkKind kind)
 {
-    for (const Family *family : families()) {
+    for (const Family *family : families) {
         if (family->decodeBytes && std::ranges::find(family->links, kind) != family->links.end())
             m_decoders.emplace_back(family, family->decodeBytes({}));
     }
@@ -95,9 +93,9 @@ std::vector<FrameMeaning> ByteFollower::take(const TrafficRecord &record)
     return meanings;
 }
 
-FrameDecoder decoderFor(const Snapshot &shot, const std::string &link)
+FrameDecoder decoderFor(std::span<const Family *const> families, const Snapshot &shot, const std::string &link)
 {
-    FrameDecoder decoder(families());
+    FrameDecoder decoder(families);
     for (const DeviceView &device : shot.devices) {
         if (device.link == link && device.family && device.family->decodeCan)
             decoder.addDialect(device.family, device.identity->address, device.identity->dialect);
