@@ -183,20 +183,22 @@ Envelope limitsFrom(const QJsonObject &object)
     return limits;
 }
 
+Envelope knownBounds(const Family &family, const EnvelopeFacts &facts, const Envelope &asked, const Envelope &own)
+{
+    Envelope envelope = facts.simulated ? family.trials->bench : Envelope();
+    for (const auto &[key, bound, most] : envelopeBounds) {
+        if (const auto found = narrower(asked.*bound, own.*bound))
+            envelope.*bound = found;
+    }
+    if (!facts.currentScale)
+        envelope.current.reset();
+    return envelope;
+}
+
 Result<Envelope> resolve(
     const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own)
 {
-    const Envelope bench = facts.simulated ? family.trials->bench : Envelope();
-    const auto known = [](std::optional<double> a, std::optional<double> b, std::optional<double> rest) {
-        const auto found = narrower(a, b);
-        return found ? found : rest;
-    };
-    Envelope envelope;
-    envelope.travel = known(asked.travel, own.travel, bench.travel);
-    envelope.speed = known(asked.speed, own.speed, bench.speed);
-    envelope.duty = known(asked.duty, own.duty, bench.duty);
-    if (facts.currentScale)
-        envelope.current = known(asked.current, own.current, bench.current);
+    const Envelope envelope = knownBounds(family, facts, asked, own);
     std::vector<std::string> missing;
     if (!envelope.travel)
         missing.emplace_back("--travel");

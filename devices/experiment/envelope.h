@@ -41,9 +41,11 @@ struct EnvelopeFacts {
 /// What bounds nothing is no limit, and is not taken for one.
 [[nodiscard]] Envelope limitsFrom(const QJsonObject &object);
 
-/// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
-/// the rest. Without a scale of its current nothing bounds that, and the duty limit stands in. OutOfRange, naming what must be
-/// given, where travel or duty (speed, in a velocity loop) are not known.
+/// Of what was asked for and the device's own the narrower; on simulated units the bench's figures for the rest. Without a scale of its
+/// current nothing bounds that, and the duty limit stands in.
+[[nodiscard]] Envelope knownBounds(
+    const Family &family, const EnvelopeFacts &facts, const Envelope &asked, const Envelope &own);
+/// What bounds a trial: these. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.
 [[nodiscard]] Result<Envelope> resolve(
     const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own);
 

@@ -4,6 +4,7 @@
 #include "async/sleep.h"
 #include "experiment/announcement.h"
 #include "experiment/envelope.h"
+#include "experiment/foresight.h"
 #include "experiment/gains.h"
 #include "experiment/latepush.h"
 #include "experiment/owedgains.h"
@@ -74,12 +75,8 @@ Task<void> ExperimentRun::prepare()
     const Mode bounded = m_plan.loop.value_or(m_plan.mode);
     const auto envelope
         = co_await resolve(m_device.family(), factsOf(m_device, m_plan.axis), bounded, m_plan.limits, own);
-    const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? place : 0.0);
-    const auto stimulus = co_await Stimulus::make(
-        m_plan.profile, from, m_plan.to, m_plan.seconds, inSeconds(m_device.family().capabilities.commandPeriod));
-    if (stimulus.from == stimulus.to)
-        co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another target"));
-    co_await checkInside(envelope, m_plan.mode, stimulus, m_plan.repeat, m_start.origin, m_start.gone);
+    const StartPlace start{place, m_start.origin, m_start.gone};
+    const auto stimulus = co_await stimulusWithin(m_device.family(), envelope, m_plan, start);
     m_trial.stimulus = stimulus;
     m_trial.stimulus.ends = stimulus.ends || m_plan.turnsBack;
     m_trial.envelope = envelope;

@@ -53,6 +53,14 @@ Result<void> checkTried(const Family &family, ParameterIndex index)
     return {};
 }
 
+std::vector<ParameterChange> triable(const Family &family, const std::vector<ParameterChange> &changes)
+{
+    std::vector<ParameterChange> some;
+    std::copy_if(changes.begin(), changes.end(), std::back_inserter(some),
+        [&family](const ParameterChange &change) { return checkTried(family, change.index).has_value(); });
+    return some;
+}
+
 Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
     Device &device, Mode mode, int axis, int slot)
 {

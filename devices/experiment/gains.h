@@ -7,10 +7,12 @@
 
 namespace mb::tuning {
 
-/// OutOfRange for a parameter that is no part of an experiment: read-only, live, or named so by the family.
 /// The remedy where gains could not be put back because they cannot be read.
 [[nodiscard]] Message writeOrKeep();
+/// OutOfRange for a parameter that is no part of an experiment: read-only, live, or named so by the family.
 [[nodiscard]] Result<void> checkTried(const Family &family, ParameterIndex index);
+/// Those that an experiment may write.
+[[nodiscard]] std::vector<ParameterChange> triable(const Family &family, const std::vector<ParameterChange> &changes);
 
 /// Values of the loop's parameters, read where they can be; nothing for what is not known.
 [[nodiscard]] Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(

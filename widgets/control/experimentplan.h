@@ -38,10 +38,6 @@ struct ExperimentCheck {
 [[nodiscard]] StimulusChoice usualStimulus(
     const DeviceView &device, const ExperimentWish &wish, const DisplayUnits &units, Instant now);
 
-/// Gains stay when the trial ends well; what cannot be read back, and was never written here, stays whatever happens.
 [[nodiscard]] tuning::ExperimentPlan planOf(const DeviceView &device, const ExperimentWish &wish);
-
-/// Of the staged changes those that an experiment writes; the rest is no part of one (Device limits, averaging).
-[[nodiscard]] std::vector<ParameterChange> triable(const Family &family, const std::vector<ParameterChange> &changes);
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tuneexperiments.h"
 
+#include "experiment/gains.h"
 #include "experiment/kepttrial.h"
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
@@ -126,7 +127,7 @@ void TuneExperiments::run()
     if (!view)
         return;
     const std::vector<ParameterChange> all = wishOf(*view, m_choices.axis()).gains;
-    const bool isWritten = triable(*view->family, all).size() < all.size();
+    const bool isWritten = tuning::triable(*view->family, all).size() < all.size();
     m_turns.clear();
     for (const int axis : m_parts.column->motorsToRun()) {
         if (axis != m_choices.axis())
