@@ -64,7 +64,6 @@ Controller::Controller(const Family &known, SpiLink &link, Clock &clock, Identit
         if (m_layout.streamPeriod() > 0 && m_spi.turns().isFree())
             m_scope.spawn(m_port.fetch());
     });
-    schedulePoll();
     look();
 }
 

@@ -218,7 +218,7 @@ private:
             const std::uint8_t mask = payload[0];
             for (const Field &field : layout.request) {
                 const std::size_t size = sizeOf(field.wire, mask);
-                if (field.names[0].empty() || payload.size() < size || (payload.empty() && size > 0))
+                if (field.names[0].empty() || payload.size() < size)
                     break;
                 frame.fields.push_back({field.names[tuple], valueOf(field.wire, payload.first(size)), field.unit});
                 payload = payload.subspan(size);

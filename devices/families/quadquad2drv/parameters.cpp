@@ -32,17 +32,17 @@ constexpr std::array<std::string_view, 4> channelGroups{
 };
 constexpr std::string_view boardGroup = QT_TRANSLATE_NOOP("table", "Stream and velocity");
 
-constexpr std::array<Choice, 4> inputModes{{
-    {0, QT_TRANSLATE_NOOP("table", "disabled")},
-    {1, QT_TRANSLATE_NOOP("table", "home switch")},
-    {2, QT_TRANSLATE_NOOP("table", "index pulse")},
-    {3, QT_TRANSLATE_NOOP("table", "both edges")},
-}};
+constexpr std::array inputModes{
+    Choice{0, QT_TRANSLATE_NOOP("table", "disabled")},
+    Choice{1, QT_TRANSLATE_NOOP("table", "home switch")},
+    Choice{2, QT_TRANSLATE_NOOP("table", "index pulse")},
+    Choice{3, QT_TRANSLATE_NOOP("table", "both edges")},
+};
 
-constexpr std::array<Choice, 2> polarities{{
-    {0, QT_TRANSLATE_NOOP("table", "active high")},
-    {1, QT_TRANSLATE_NOOP("table", "active low")},
-}};
+constexpr std::array polarities{
+    Choice{0, QT_TRANSLATE_NOOP("table", "active high")},
+    Choice{1, QT_TRANSLATE_NOOP("table", "active low")},
+};
 constexpr std::array<Choice, 4> edges{{
     {0, QT_TRANSLATE_NOOP("table", "record at the positive end")},
     {1, QT_TRANSLATE_NOOP("table", "set at the positive end")},

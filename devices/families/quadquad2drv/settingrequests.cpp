@@ -16,15 +16,16 @@ Readings SettingRequests::readings() const
     return now;
 }
 
+std::int64_t SettingRequests::known(ParameterIndex index) const
+{
+    const Parameter &row = m_known.parameter(index);
+    return m_known.entry(index).raw.value_or(std::llround(row.fallback * row.one));
+}
+
 std::int64_t SettingRequests::known(int axis, AxisParameter which) const
 {
     const ParameterIndex index = indexOf(axis, which);
-    if (const auto raw = m_known.entry(index).raw)
-        return *raw;
-    if (which == AxisParameter::LimitPower)
-        return firstPowerLimit;
-    const Parameter &row = m_known.parameter(index);
-    return static_cast<std::int64_t>(std::llround(row.fallback * row.one));
+    return which == AxisParameter::LimitPower ? m_known.entry(index).raw.value_or(firstPowerLimit) : known(index);
 }
 
 void SettingRequests::assume(int axis, AxisParameter from, AxisParameter to)
@@ -76,16 +77,16 @@ Bytes SettingRequests::group(int axis, AxisParameter which, std::int64_t raw) co
 
 Bytes SettingRequests::writeBoard(BoardParameter which, std::uint32_t bits) const
 {
-    const auto length = m_known.entry(indexOf(BoardParameter::HistoryLength)).raw;
-    const auto timeBits = m_known.entry(indexOf(BoardParameter::HistoryTimeBits)).raw;
+    const auto value = [&](BoardParameter other) {
+        return static_cast<std::uint8_t>(other == which ? bits : known(indexOf(other)));
+    };
     switch (which) {
     case BoardParameter::StreamPeriod: return setStreamPeriod(static_cast<std::uint16_t>(bits));
     case BoardParameter::StreamConfig: return setStreamConfig(static_cast<std::uint8_t>(bits));
     case BoardParameter::HistoryLength:
-        return setHistory(static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(timeBits.value_or(20)));
     case BoardParameter::HistoryTimeBits: break;
     }
-    return setHistory(static_cast<std::uint8_t>(length.value_or(31)), static_cast<std::uint8_t>(bits));
+    return setHistory(value(BoardParameter::HistoryLength), value(BoardParameter::HistoryTimeBits));
 }
 
 Bytes SettingRequests::write(ParameterIndex index, std::int64_t raw) const

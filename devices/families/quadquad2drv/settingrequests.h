@@ -48,6 +48,8 @@ public:
 private:
     [[nodiscard]] Bytes writeBoard(BoardParameter which, std::uint32_t bits) const;
     [[nodiscard]] Bytes group(int axis, AxisParameter which, std::int64_t raw) const;
+    /// Or what the reference says of a board that is new.
+    [[nodiscard]] std::int64_t known(ParameterIndex index) const;
     [[nodiscard]] std::int64_t known(int axis, AxisParameter which) const;
     void assume(int axis, AxisParameter from, AxisParameter to);
 

@@ -294,7 +294,6 @@ void Line::onLinkState()
     if (m_link.state() != LinkState::Open) {
         m_polls.stop();
         m_timeout.stop();
-        m_reader.forget();
         m_failUpTo = m_lastId;
         m_early.clear();
     } else {

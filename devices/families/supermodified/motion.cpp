@@ -280,10 +280,8 @@ void Motion::setPosition(std::int64_t raw)
     if (!m_run || !m_energized || m_stop.isPending() || !m_run->hasPassed(static_cast<double>(raw)))
         return;
     stop();
-    m_failure
-        = say("the profiled move passed its target by more than its stopping distance, as this firmware may above "
-              "2500 counts/s; use a lower profile.velocity");
-    m_events.changed();
+    fail(say("the profiled move passed its target by more than its stopping distance, as this firmware may above "
+             "2500 counts/s; use a lower profile.velocity"));
 }
 
 Result<void> Motion::release()

@@ -35,10 +35,8 @@ bool isStale(const std::string &link)
 {
     struct stat made { };
     struct stat terminal { };
-    if (::stat(link.c_str(), &terminal) != 0)
+    if (::stat(link.c_str(), &terminal) != 0 || ::lstat(link.c_str(), &made) != 0)
         return true;
-    if (!S_ISCHR(terminal.st_mode) || ::lstat(link.c_str(), &made) != 0)
-        return false;
     return std::pair(terminal.st_ctim.tv_sec, terminal.st_ctim.tv_nsec)
         > std::pair(made.st_mtim.tv_sec, made.st_mtim.tv_nsec);
 }
