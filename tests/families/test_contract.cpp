@@ -324,6 +324,7 @@ TEST_P(Contract, StopWorksInTheMiddleOfMotion)
     bench->clock.advance(500ms);
     ASSERT_TRUE(simulator->isOutputOn());
     EXPECT_GT(std::abs(simulator->speed()), 0.0);
+    EXPECT_FALSE(device->isSeenStopped());
     stream.stop();
     bench->clock.advance(20ms);
     EXPECT_FALSE(simulator->isOutputOn());

@@ -88,6 +88,17 @@ TEST_F(Dmc60cRates, ThatAreWishedAreAskedForUntilAUnitThatStartedAnewAnswers)
     EXPECT_EQ(unit.count(faster), 3) << "once when they were raised";
 }
 
+TEST_F(Dmc60cRates, ThatWereRefusedAreNotWrittenIntoAUnitThatStartsAnew)
+{
+    const std::string refused = "02061885#34125C14000000"; // 20 ms
+    unit.answer(refused, {{"02061845#5C0A00000002"}});
+    EXPECT_FALSE(run(device->setRate(channel("velocity"), 50.0)));
+    unit.send(restarted);
+    hear();
+    hear();
+    EXPECT_EQ(unit.count(refused), 1);
+}
+
 TEST_F(Dmc60cRates, GoBackToWhatSomebodyHasWrittenMeanwhile)
 {
     unit.answer("02061885#34125C32000000", {{"02061845#5C3200000000"}}); // 50 ms

@@ -175,6 +175,15 @@ TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsBeforeTheProof)
     EXPECT_EQ(result.error().fault, Fault::BadCheck);
 }
 
+TEST(Dmc60cFlashProof, AChangeOfBeforeItWasListenedToMayWaitForFifteenSecondsAndASecondOfTolerance)
+{
+    for (const Duration more : {0ns, 1ns}) {
+        FlashProof proof(Instant(0s));
+        proof.ask(Instant(16s + more));
+        EXPECT_EQ(proof.isPending(), more == 0ns);
+    }
+}
+
 TEST(Dmc60cFlashProof, ADeviceThatRestartedWritesTheNextChangeAtOnceSoTheNextTwoWantTwoWrites)
 {
     FlashProof proof(Instant(0s));

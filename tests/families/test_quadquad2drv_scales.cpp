@@ -291,6 +291,7 @@ TEST(QuadQuad2DrvGainFit, ALineThroughPowersGivesGainAndFriction)
     EXPECT_NEAR(plant->friction, 400.0, 1e-6);
     EXPECT_NEAR(plant->lag, 0.1, 1e-9);
     EXPECT_FALSE(fitPlant({{1000.0, 600.0, 0.1}}));
+    EXPECT_TRUE(fitPlant({{1000.0, 0.4, 0.1}, {2000.0, 0.9, 0.1}})) << "however slowly";
     EXPECT_FALSE(fitPlant({{1000.0, 600.0, 0.1}, {1500.0, 100.0, 0.1}, {2000.0, 1600.0, 0.1}}));
 }
 

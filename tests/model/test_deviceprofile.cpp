@@ -82,6 +82,19 @@ TEST_F(Profiles, ADamagedFileIsPutAsideAndTold)
     }
 }
 
+TEST_F(Profiles, AFileOfMoreThanAMebibyteIsNotReadAndStaysWhereItIs)
+{
+    for (const int more : {0, 1}) {
+        ASSERT_TRUE(book.save(selector, {}));
+        QFile file(QString::fromStdString(book.pathOf(selector)));
+        ASSERT_TRUE(file.open(QIODevice::Append));
+        file.write(QByteArray((1 << 20) + more - static_cast<int>(file.size()), ' '));
+        file.close();
+        EXPECT_EQ(book.load(selector).has_value(), more == 0) << more;
+        EXPECT_TRUE(file.exists());
+    }
+}
+
 TEST_F(Profiles, AFolderThatCannotBeMadeIsOneClearLine)
 {
     QFile file(folder.path() + "/below");

@@ -140,6 +140,29 @@ TEST_F(UnixSpi, ALinkWhoseAnswersItsGuardianHasReadIsLostAndWorksOnceItIsOpenAga
     }
 }
 
+TEST_F(UnixSpi, HalfAnAnswerOfBeforeItWasClosedIsNoPartOfTheNextOne)
+{
+    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
+    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
+    UnixSpiLink held{quiet, loop.clock()};
+    ASSERT_TRUE(held.open());
+    const Descriptor first(::accept(listening.get(), nullptr, nullptr));
+    Task<Bytes> cut = transferOn(held, {0x01, 0x02, 0x03});
+    cut.start();
+    const Bytes half{0xFE, 0xFD};
+    ASSERT_EQ(::send(first.get(), half.data(), half.size(), 0), 2);
+    loop.runUntil([] { return false; }, std::chrono::milliseconds(50));
+    held.close();
+    ASSERT_TRUE(held.open());
+    const Descriptor second(::accept(listening.get(), nullptr, nullptr));
+    Task<Bytes> asked = transferOn(held, {0x04, 0x05});
+    asked.start();
+    const Bytes whole{0xFB, 0xFA, 1};
+    ASSERT_EQ(::send(second.get(), whole.data(), whole.size(), 0), 3);
+    ASSERT_TRUE(loop.runUntil([&] { return asked.isFinished(); }));
+    EXPECT_EQ(*asked.result(), (Bytes{0xFB, 0xFA}));
+}
+
 TEST_F(UnixSpi, AResetIsSentAsideTooAndNoHalfMessage)
 {
     const auto aside = link.outlet().aside;
@@ -180,6 +203,20 @@ TEST_F(UnixSpi, ClosingWhatASimulatorLeftUnreadLeavesNothingThatWouldEndTheNextO
     }
     held.close();
     EXPECT_EQ(clock.armed(), 0U);
+}
+
+TEST_F(UnixSpi, ASimulatorThatIsSlowToReadIsNotGone)
+{
+    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
+    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
+    VirtualClock clock;
+    UnixSpiLink held{quiet, clock};
+    ASSERT_TRUE(held.open());
+    const Descriptor simulator(::accept(listening.get(), nullptr, nullptr));
+    while (held.outlet().aside(Bytes(50'000))) { } // until no more fits the socket
+    ASSERT_TRUE(held.pulseReset());
+    clock.advance(std::chrono::milliseconds(1));
+    EXPECT_EQ(held.state(), LinkState::Open);
 }
 
 TEST(UnixSocket, WhatHasComeIsTakenAndOnlyItsEndIsAnEnd)

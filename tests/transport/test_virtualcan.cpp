@@ -181,6 +181,17 @@ TEST_F(VirtualCan, EqualIdentifiersWithDifferentContentCollideAndAreResolved)
     EXPECT_EQ(a.link->backlog() + b.link->backlog(), 0U);
 }
 
+TEST_F(VirtualCan, StubbornSendersOfOneIdentifierTryThirtyTwoTimesAndGiveUp)
+{
+    bus.setStubborn(true);
+    ASSERT_TRUE(a.link->send(standardFrame(0x123, std::vector<std::uint8_t>{1})));
+    ASSERT_TRUE(b.link->send(standardFrame(0x123, std::vector<std::uint8_t>{2})));
+    clock.advance(1s);
+    EXPECT_TRUE(c.frames.empty());
+    EXPECT_EQ(c.link->counters().errors, 32U);
+    EXPECT_EQ(a.link->backlog() + b.link->backlog(), 0U);
+}
+
 TEST_F(VirtualCan, EqualFramesAtOnceAreOneFrame)
 {
     ASSERT_TRUE(a.link->send(standardFrame(0x123, {})));

@@ -153,6 +153,20 @@ TEST_F(VirtualSerial, BytesOfTwoSendersThatOverlapReachNobodyIntact)
     EXPECT_EQ(c.link->counters().errors, 4U);
 }
 
+TEST_F(VirtualSerial, BytesThatOnlyTouchOneAnotherStayWhole)
+{
+    for (End *end : {&a, &b, &c})
+        ASSERT_TRUE(end->link->setBaudrate(100'000));
+    ASSERT_TRUE(a.link->send(Bytes{1, 2, 3, 4}));
+    clock.advance(bytesAt(2, 100'000));
+    ASSERT_TRUE(b.link->send(Bytes{5, 6, 7, 8}));
+    finish();
+    ASSERT_EQ(c.heard.size(), 8U);
+    EXPECT_EQ(Bytes(c.heard.begin(), c.heard.begin() + 2), (Bytes{1, 2}));
+    EXPECT_EQ(Bytes(c.heard.begin() + 6, c.heard.end()), (Bytes{7, 8}));
+    EXPECT_EQ(c.link->counters().errors, 4U);
+}
+
 TEST(VirtualSerialFullDuplex, NothingCollides)
 {
     VirtualClock clock;
