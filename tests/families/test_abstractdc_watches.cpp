@@ -8,6 +8,7 @@
 #include "families/abstractdc/outputwatch.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/powercycledebt.h"
+#include "families/abstractdc/setpoints.h"
 #include "families/abstractdc/whereabouts.h"
 #include "model/family.h"
 #include "transport/backends/virtualcan.h"
@@ -440,6 +441,21 @@ TEST(AbstractDcLogSense, ALoopHasPassedTwiceOnlyAfterItsSetPointWasOnTheWireTooA
         EXPECT_TRUE(sense.hasPassed(begin + least + roundTrip(link)));
         begin += 10s;
     }
+}
+
+// What may be written while it drives: abstractdc/README.md#wraps
+
+TEST(AbstractDcGains, AStrongerOneIsRefusedBeyondWhereItWouldWrapAndAWeakerOneNowhere)
+{
+    ParameterStore known(parameterTable());
+    const auto velocity = [](Field field) { return *parameterOf(Loop::Velocity, field); };
+    for (const auto &[field, raw] : {std::pair{Field::P, 0}, {Field::D, 100}, {Field::Divisor, 1}})
+        known.setRead(velocity(field), raw); // 2 · 100 / 20 ms: 10 of output per unit of error
+    const std::vector<ParameterChange> stronger{{velocity(Field::P), 10}};
+    EXPECT_TRUE(mayChange(known, stronger, 1600.0, 0.0));
+    EXPECT_FALSE(mayChange(known, stronger, 1601.0, 0.0));
+    const std::vector<ParameterChange> weaker{{velocity(Field::D), 50}};
+    EXPECT_TRUE(mayChange(known, weaker, 1e6, 0.0));
 }
 
 } // namespace
