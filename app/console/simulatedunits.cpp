@@ -2,12 +2,26 @@
 #include "app/console/simulatedunits.h"
 
 #include "app/console/target.h"
+#include "model/family.h"
 #include "transport/backends/unixspiserver.h"
 #include "transport/linkcatalog.h"
 
 #include <algorithm>
 
 namespace mb::console {
+namespace {
+
+QJsonObject gainsOf(const Simulator &simulator, const Family &family)
+{
+    QJsonObject gains;
+    for (const Parameter &parameter : family.parameters) {
+        if (const auto raw = simulator.gain(parameter.key))
+            gains.insert(qt(parameter.key), static_cast<double>(*raw));
+    }
+    return gains;
+}
+
+} // namespace
 
 SimulatedUnits::SimulatedUnits(Console &console, bool events)
     : m_console(console)
@@ -29,7 +43,8 @@ Result<void> SimulatedUnits::add(const PlannedUnit &unit)
     }
     if (m_events)
         running.events = running.simulator->events().add(
-            [this, &link = *end, &running](const SimulatorEvent &event) { print(link, *running.simulator, event); });
+            [this, &link = *end, &running, family = unit.family](
+                const SimulatorEvent &event) { print(link, *running.simulator, *family, event); });
     return {};
 }
 
@@ -68,16 +83,20 @@ void SimulatedUnits::watch(Ending &ending)
         ending.watch(*end);
 }
 
-void SimulatedUnits::print(const Link &link, const Simulator &simulator, const SimulatorEvent &event)
+void SimulatedUnits::print(
+    const Link &link, const Simulator &simulator, const Family &family, const SimulatorEvent &event)
 {
     const TimeOrigin base(m_console.clock(), link.address());
-    m_console.out().json({
+    QJsonObject row{
         {QStringLiteral("t"), base.seconds(event.time)},
         {QStringLiteral("link"), qt(link.address().text())},
         {QStringLiteral("device"), qt(simulator.name())},
         {QStringLiteral("event"), qt(event.what)},
         {QStringLiteral("value"), event.value},
-    });
+    };
+    if (event.what == "gains-written")
+        row.insert(QStringLiteral("gains"), gainsOf(simulator, family));
+    m_console.out().json(row);
 }
 
 } // namespace mb::console

@@ -39,7 +39,7 @@ private:
     };
     [[nodiscard]] Result<Link *> endOf(const LinkAddress &address);
     [[nodiscard]] Result<std::unique_ptr<Link>> makeEnd(const LinkAddress &address);
-    void print(const Link &link, const Simulator &simulator, const SimulatorEvent &event);
+    void print(const Link &link, const Simulator &simulator, const Family &family, const SimulatorEvent &event);
 
     Console &m_console;
     bool m_events;

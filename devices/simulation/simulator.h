@@ -41,7 +41,7 @@ struct SimulatedUnit {
 struct SimulatorEvent {
     Instant time{};
     std::string
-        what; ///< output-on, output-off, halted, fault, reset, bootloader, application, flash-page, power-lost …
+        what; ///< output-on, output-off, halted, fault, reset, bootloader, application, flash-page, power-lost, gains-written …
     double value = 0.0;
 };
 

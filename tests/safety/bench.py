@@ -94,6 +94,15 @@ class Motor:
                 found.append((event["t"], event["event"] == "output-on"))
         return found
 
+    def gains(self):
+        """As the unit itself has them, raw, since it was last written to: of one whose wire cannot tell them."""
+        written = [line for line in list(self.program.lines) if '"gains-written"' in line]
+        return json.loads(written[-1])["gains"] if written else {}
+
+    def await_gains(self, wanted):
+        """Until it has these."""
+        return self.program.wait_for(lambda line: '"gains-written"' in line and wanted.items() <= json.loads(line)["gains"].items())
+
     def is_on(self):
         return self.events()[-1:] != [] and self.events()[-1][1]
 

@@ -72,6 +72,8 @@ class Adapter:
 
 
 class CanRig:
+    written, known = (), ()
+
     def __init__(self, control, cable):
         self.control = control
         self.cable = cable
@@ -122,6 +124,11 @@ class Dmc60cRig(CanRig):
 
 class AbstractDcRig(CanRig):
     family, unit, mode, target, watchdog = "Abstract DC Drive", "abstractdc:3", "duty", "0.3", None
+    stores_after = 0
+    loop = ("--mode", "velocity", "--to", "4000", "--travel", "1000000", "--speed", "12000", "--duty", "1")
+    tuning = ("--loop", "velocity", "--travel", "1000000", "--speed", "12000", "--duty", "1")
+    tried = ("velocity.p", "velocity.i")
+    written = ("velocity.divisor=1000000", "velocity.p=20001", "velocity.i=301", "velocity.d=0")
 
     def is_ours(self, frame):
         return not 0x400 <= int(frame.split("#")[0], 16) < 0x480
@@ -156,6 +163,12 @@ class AbstractDcSwitched(MotionScenarios, CableScenarios, SteadyCase):
 
 class Unplugged(CableScenarios):
     cable = "the adapter is unplugged"
+
+
+class AbstractDcTuning(TuneScenarios, SteadyCase):
+    def setUp(self):
+        super().setUp()
+        self.rig = AbstractDcRig(self.control, Switch())
 
 
 class Dmc60cUnplugged(Unplugged, SteadyCase):

@@ -3,7 +3,8 @@
 notebook.
 
 Beside what a Rounds rig brings: `gain` (its key), `loop` (options of step), `far_enough` (counts), `stores_after` (seconds,
-after which it has stored what was written; 0: at once); for a tuning `tuning` (options of tune), `tried` (keys that its proof writes).
+after which it has stored what was written; 0: at once); for a tuning `tuning` (options of tune), `tried` (keys that its proof writes), and
+`written`, where gains cannot be read: KEY=VALUE that are written once, so that they can be put back, and `known`, such that its user knows.
 """
 import json
 import os
@@ -114,8 +115,16 @@ class TuneScenarios(KilledCase):
     """Killed while it proves: what is tried is in the slot that does not run where there are two, else in the only one."""
 
     def tried(self):
+        """As the unit itself has them, whatever this program takes them for; of one that cannot be read, all."""
+        if self.rig.written:
+            return self.rig.motor.gains()
         rows = self.run_control("get", self.rig.device, *self.rig.tried)[0]["parameters"]
         return {key: row["raw"] for key, row in rows.items()}
+
+    def write_once(self):
+        self.run_control("info", self.rig.device, *(word for known in self.rig.known for word in ("--keep", known)))
+        self.run_control("set", self.rig.device, *self.rig.written)
+        self.assertTrue(self.rig.motor.await_gains({key: int(value) for key, value in (word.split("=") for word in self.rig.written)}))
 
     def prove(self):
         """A program in the middle of its first proof, the motor on its way."""
@@ -134,6 +143,8 @@ class TuneScenarios(KilledCase):
     def test_a_killed_proof_stops_and_all_that_it_tried_goes_back_after_asking(self):
         taken = []
         for _ in self.rounds():
+            if self.rig.written:
+                self.write_once()
             before = self.tried()
             program = self.prove()
             at = time.time()

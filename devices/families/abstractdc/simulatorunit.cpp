@@ -178,8 +178,9 @@ void Unit::onSettings(const CanFrame &frame)
         if (loop == static_cast<int>(Loop::Current))
             gains.averaging = value & 0xFFFF;
         break;
-    default: break;
+    default: return;
     }
+    m_notify(m_clock.now(), "gains-written", loop);
 }
 
 void Unit::onSetPoint(const CanFrame &frame)

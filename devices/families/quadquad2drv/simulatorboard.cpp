@@ -158,6 +158,9 @@ void Board::execute(const Bytes &packet)
         return;
     }
     const ReturnCode code = m_commands.set(id, payload);
+    const auto written = static_cast<PacketId>(id);
+    if (written == PacketId::SetPositionGains || written == PacketId::SetVelocityGains)
+        m_notify("gains-written", 0.0);
     noteOutput();
     send(id, {static_cast<std::uint8_t>(code)});
 }
