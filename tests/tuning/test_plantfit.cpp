@@ -21,6 +21,8 @@ struct Plant {
     std::string_view motor;
     double load;
     std::optional<double> loss{}; ///< share of the torque, in place of its own; it lets go as it turns then
+    double busResistance = 0.0;   ///< Ohm, of battery and cables
+    double duty = 0.0;            ///< at which that adds to the winding's
 
     [[nodiscard]] MotorParameters parameters() const
     {
@@ -38,7 +40,7 @@ struct Truth {
     explicit Truth(Plant plant)
     {
         const MotorParameters m = plant.parameters();
-        const double r = m.resistance + 0.005;
+        const double r = m.resistance + 0.005 + plant.duty * plant.duty * plant.busResistance;
         const double kept = m.constant * (1.0 - m.torqueLoss);
         const double kV = m.constant + r * m.viscosity / kept;
         tau = r * m.inertia * plant.load / kept / kV;
@@ -55,7 +57,7 @@ struct Truth {
 class Recorder {
 public:
     Recorder(Plant plant, double period, double jitter, std::uint64_t seed)
-        : m_motor(plant.parameters(), plant.load, MotorSupply{12.0, 0.0, 0.005})
+        : m_motor(plant.parameters(), plant.load, MotorSupply{12.0, plant.busResistance, 0.005})
         , m_period(period)
         , m_jitter(0.0, jitter)
         , m_random(seed)
@@ -174,6 +176,22 @@ TEST(Acceptance, A01_TauWithinFivePercentOnThreeMotorsAndLoads)
     std::printf("A1 tau %.2f %%  gain %.2f %%\n", 100.0 * worstTau, 100.0 * worstGain);
 }
 
+TEST(Acceptance, A01_TauWithinThreePercentWhereTheSagOfABatteryIsCorrected)
+{
+    double worst = 0.0;
+    for (const std::string_view motor : {"cim", "775pro", "25d"}) {
+        for (std::uint64_t seed = 0; seed < 8; ++seed) {
+            const Plant plant{motor, 7.0 * (0.6 + static_cast<double>(seed) / 7.0), {}, 0.02, dutyOfLag};
+            const auto fit = fitPushes(pushes(plant, 0.01, 0.001, seed));
+            ASSERT_TRUE(fit) << fit.error().text();
+            const double off = std::abs(fit->tau / Truth(plant).tau - 1.0);
+            EXPECT_LT(off, 0.03) << motor << " seed " << seed;
+            worst = std::max(worst, off);
+        }
+    }
+    std::printf("A1 tau %.2f %%, of a battery of 20 mOhm\n", 100.0 * worst);
+}
+
 TEST(PushFit, FindsARealDeadTime)
 {
     for (const double delay : {0.0, 0.02}) {
@@ -268,7 +286,8 @@ struct Window {
 TEST(Acceptance, A03_VelocityFilterWithinTenPercentForRollingAndBlock)
 {
     double worst = 0.0;
-    for (const Window &made : {Window{0.1, 0.0}, Window{0.1, 0.1}, Window{0.02, 0.0}, Window{0.05, 0.01}}) {
+    for (const Window &made : {Window{0.1, 0.0}, Window{0.1, 0.1}, Window{0.05, 0.0}, Window{0.05, 0.05},
+             Window{0.05, 0.01}, Window{0.02, 0.0}, Window{0.02, 0.02}}) {
         for (const double period : {0.005, 0.01, 0.02}) {
             MotorModel motor(*motorByName("cim"), 9.0);
             std::vector<double> history;
@@ -301,7 +320,8 @@ TEST(Acceptance, A03_VelocityFilterWithinTenPercentForRollingAndBlock)
                 EXPECT_NEAR(filter->hold, made.hold, period);
             }
             if (made.window > 3.0 * period) { // less of it is no filter to this telemetry
-                EXPECT_EQ(filter->kind, made.hold > 0.06 ? VelocityFilter::Kind::Block : VelocityFilter::Kind::Rolling)
+                const bool isBlock = made.hold > 0.5 * made.window;
+                EXPECT_EQ(filter->kind, isBlock ? VelocityFilter::Kind::Block : VelocityFilter::Kind::Rolling)
                     << made.window << ' ' << made.hold << ' ' << period;
             }
         }
@@ -358,13 +378,18 @@ constexpr double mostRelay = 0.5; ///< duty; no relay swings harder
 
 TEST(Acceptance, A06_RelayGivesTauWithinFivePercentUnderPureCoulombFriction)
 {
+    int swung = 0;
     for (const std::string_view motor : {"cim", "775pro", "25d"}) {
         const Plant plant{motor, 8.0, 0.0};
         for (const double share : {0.05, 0.15, 0.3}) {
             const double duty = Truth(plant).friction / share;
-            EXPECT_TRUE(duty > mostRelay || std::abs(offByRelay(plant, duty)) < 0.05) << motor << ' ' << share;
+            if (duty > mostRelay)
+                continue;
+            EXPECT_LT(std::abs(offByRelay(plant, duty)), 0.05) << motor << ' ' << share;
+            ++swung;
         }
     }
+    EXPECT_GE(swung, 6);
 }
 
 /// Low, which is safe for P; as without a loss where pushes have told how much more strongly it brakes.

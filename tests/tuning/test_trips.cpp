@@ -2,6 +2,7 @@
 // Every guard in whole experiments on simulated units: the fault is in the motor, the device or on the line, and the time from
 // the guard's own condition to the stop is measured by somebody who looks on. The table it prints is in docs/safety.md.
 #include "experiment/owedgains.h"
+#include "families/abstractdc/setpoints.h"
 #include "families/abstractdc/simulatoroptions.h"
 #include "model/bench.h"
 #include "model/family.h"
@@ -91,8 +92,10 @@ void writeOnce(TripBench &bench)
             write(loop + std::string("divisor"), gains.divisor);
         }
     } else if (bench.device->family().key == "quadquad2drv") {
-        write("ch1.position.p", 100);
         write("ch1.velocity.p", 100);
+        for (const auto &[name, raw] :
+            {std::pair("p", 100), std::pair("i", 500), std::pair("d", 500), std::pair("windup", 600)})
+            write(std::string("ch1.position.") + name, raw);
     }
 }
 
@@ -216,6 +219,18 @@ void commandByOther(TripBench &bench)
     commandElsewhere(*bench.other, bench.bench.clock, *bench.device);
 }
 
+/// P makes nearly half a duty of the whole way, and D takes back more in each pass that brought a count: the duty alone turns.
+void derivativeOfCounts(TripBench &bench, ExperimentPlan &plan)
+{
+    for (const auto &[key, most] : {std::pair("slot1.max_forward", 0.6), std::pair("slot1.max_reverse", -0.6)}) {
+        const ParameterChange limit = bench.change(key, std::round(most * 32767.0));
+        EXPECT_TRUE(run(bench.bench.clock, bench.device->write(limit.index, limit.raw))) << key;
+    }
+    plan.gains = {bench.change("slot1.p", 0.45 * 32767.0 / 20'000.0), bench.change("slot1.d", 32767.0)};
+    for (const ParameterChange &change : plan.gains)
+        (void)run(bench.bench.clock, bench.device->read(change.index));
+}
+
 std::vector<Scenario> ofDmc60c()
 {
     const Scenario cim{"", "", "sim:can", "dmc60c", 5, Mode::Velocity, 60'000.0};
@@ -278,6 +293,46 @@ std::vector<Scenario> ofDmc60c()
     return rows;
 }
 
+Prepare calibrated(std::string_view key, double scale)
+{
+    return [key, scale](TripBench &bench, ExperimentPlan &) {
+        EXPECT_TRUE(bench.device->knowledge().calibrate(key, scale)) << key;
+    };
+}
+
+/// An integral that nothing damps.
+void undamped(TripBench &bench, ExperimentPlan &plan)
+{
+    plan.gains = {bench.change("ch1.position.i", 2500.0), bench.change("ch1.position.d", 0.0),
+        bench.change("ch1.position.windup", 8191.0)};
+}
+
+/// What only one of them does or tells, or tells once its scale is known.
+std::vector<Scenario> ofOneFamily()
+{
+    using namespace abstractdc;
+    const auto heavy = [](Prepare also, double amperes) {
+        return [also = std::move(also), amperes](TripBench &bench, ExperimentPlan &plan) {
+            also(bench, plan);
+            plan.limits.current = amperes;
+        };
+    };
+    return {
+        {"oscillation", "D takes back more than P", "sim:can", "dmc60c", 5, Mode::Position, 20'000.0,
+            derivativeOfCounts, {}, flipping(0.6)},
+        {"temperature", "its case is hot", "sim:can", "abstractdc", 3, Mode::Velocity, 4000.0,
+            calibrated(calibration::degrees, 1.0 / abstractdc::simulation::countsPerDegree),
+            struckBy("temperature", 78.0), above("temperature", 75.0)},
+        {"current", "a heavy load", "sim:can", "abstractdc", 3, Mode::Velocity, 4000.0,
+            heavy(calibrated(calibration::amperes, 1.0 / abstractdc::simulation::countsPerAmpere), 1.0),
+            struckBy("load-torque", 0.3), overloaded(1.0)},
+        {"current", "a heavy load", "sim:serial", "supermodified", 5, Mode::Position, 40'000.0,
+            heavy([](TripBench &, ExperimentPlan &) {}, 3.0), struckBy("load-torque", 0.3), overloaded(3.0)},
+        {"oscillation", "I far too high", "sim:spi", "quadquad2drv", 0, Mode::Position, 60.0, undamped, {},
+            swinging("position", 60.0)},
+    };
+}
+
 std::vector<Scenario> ofTheOthers()
 {
     struct Unit {
@@ -317,6 +372,8 @@ std::vector<Scenario> ofTheOthers()
         if (unit.family == "abstractdc")
             add("oscillation", "P far too high", harder(40.0), {}, swinging("velocity", unit.to));
     }
+    for (const Scenario &more : ofOneFamily())
+        rows.push_back(more);
     return rows;
 }
 

@@ -121,19 +121,21 @@ inline Condition swinging(std::string_view key, double swing)
     };
 }
 
-/// Twenty-one changes of direction above half the duty within a second.
-inline std::optional<Instant> flipping(const TripWatch &watch, Instant)
+/// Twenty-one changes of direction above half the duty's limit within a second.
+inline Condition flipping(double limit)
 {
-    std::vector<Instant> flips;
-    double strong = 0.0;
-    return watch.first("duty", [&](const SeenSample &s) {
-        if (std::abs(s.value) > 0.5) {
-            if (s.value * strong < 0.0)
-                flips.push_back(s.time);
-            strong = s.value;
-        }
-        return flips.size() > 20 && s.time - flips[flips.size() - 21] <= std::chrono::seconds(1);
-    });
+    return [limit](const TripWatch &watch, Instant) {
+        std::vector<Instant> flips;
+        double strong = 0.0;
+        return watch.first("duty", [&](const SeenSample &s) {
+            if (std::abs(s.value) > 0.5 * limit) {
+                if (s.value * strong < 0.0)
+                    flips.push_back(s.time);
+                strong = s.value;
+            }
+            return flips.size() > 20 && s.time - flips[flips.size() - 21] <= std::chrono::seconds(1);
+        });
+    };
 }
 
 /// Five periods, or 100 ms, after the last sample.

@@ -71,6 +71,8 @@ bool Loops::disturb(std::string_view what, double value)
         m_period = fromSeconds(value);
     else if (what == "derivative-inverted")
         m_derivativeInverted = value != 0.0;
+    else if (what == "temperature")
+        m_case = value;
     else
         return false;
     return true;
@@ -92,7 +94,7 @@ void Loops::cycle()
         m_notify(m_clock.now(), "memory-overrun", 0.0);
     }
     if ((m_clock.now() - m_startedAt) / m_period % temperatureCycles == 0)
-        m_temperature = toAdc(motor.housingTemperature() * countsPerDegree);
+        m_temperature = toAdc(m_case.value_or(motor.housingTemperature()) * countsPerDegree);
     if (m_mode != Loop::None && m_mode != Loop::Direct)
         regulate(milliseconds());
 }

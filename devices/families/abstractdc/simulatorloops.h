@@ -4,6 +4,8 @@
 #include "families/abstractdc/simulatorregulator.h"
 #include "families/abstractdc/simulatorshaft.h"
 
+#include <optional>
+
 namespace mb::abstractdc::simulation {
 
 /// What one simulated drive does every 20.04 ms: it samples its converters and regulates, with the gains in force.
@@ -19,7 +21,8 @@ public:
     /// It has gone.
     void stop();
     void enter(Loop mode, std::int32_t value);
-    /// A build of another hand: "loop-period" s, "derivative-inverted" where not 0. False for what it does not know.
+    /// A build of another hand: "loop-period" s, "derivative-inverted" where not 0; "temperature" °C, of its converter. False for what it
+    /// does not know.
     [[nodiscard]] bool disturb(std::string_view what, double value);
     /// Of velocity, current or position; what is written holds at once.
     [[nodiscard]] Record &gainsOf(Loop loop) { return m_gains.at(static_cast<std::size_t>(loop) - 1); }
@@ -50,6 +53,7 @@ private:
     std::int32_t m_velocityFrom = 0;
     std::int64_t m_velocityTime = 0;
     int m_temperature = 0;
+    std::optional<double> m_case; ///< °C; nothing: that of the motor
     Averager m_current;
     bool m_overrunTold = false;
     Duration m_period = loopPeriod;
