@@ -29,7 +29,8 @@ constexpr double leastBias = 0.06;
 constexpr double swingShare = 0.4;      ///< of the bias beyond friction: it never comes to rest
 constexpr double clearOfFriction = 3.0; ///< times friction that the bias is, at least
 constexpr double standsAfter = 5.0;     ///< lags, until it has come to rest from X
-constexpr double notMoving = 0.7;       ///< s of an experiment around its motion: rates, the stop that is seen
+constexpr double notMoving
+    = 1.6; ///< s of an experiment around its motion: rates, the stop that is seen, late where edges tell a speed
 constexpr std::size_t leastPoints = 40;
 
 struct Phasor {
