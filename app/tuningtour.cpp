@@ -19,7 +19,8 @@ constexpr double calmerI = 0.42;
 constexpr std::chrono::seconds trialTime{30};
 constexpr std::chrono::seconds tuningTime{180};
 constexpr std::chrono::seconds toldTime{1}; ///< nothing changes any more
-constexpr double mostOvershoot = 0.02;      ///< of the step, after one press
+constexpr double foundOvershoot = 0.15;     ///< of the step, at least, as it was found
+constexpr double mostOvershoot = 0.02;      ///< after one press
 constexpr std::chrono::milliseconds beforeTrial{300};
 constexpr std::chrono::milliseconds afterTrial{600};
 
@@ -119,7 +120,7 @@ void TuningTour::planDesign()
             std::fflush(stdout);
             m_stage.window().arming().disarm();
         },
-        [this] { return m_found > mostOvershoot && overshoot() <= mostOvershoot; }, toldTime);
+        [this] { return m_found >= foundOvershoot && overshoot() <= mostOvershoot; }, toldTime);
 }
 
 } // namespace mb
