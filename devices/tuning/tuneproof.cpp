@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mb::tuning {
 namespace {
@@ -45,6 +46,12 @@ Message tellRest(Mode loop, const RestingError &rests)
     case RestingError::Below::Motor: break;
     }
     return say("it may rest %1 short of its target, less does not move its motor", error);
+}
+
+int stepsOf(const std::vector<Trial> &proof)
+{
+    return std::accumulate(proof.begin(), proof.end(), 0,
+        [](int steps, const Trial &trial) { return steps + static_cast<int>(trial.holds.size()); });
 }
 
 } // namespace
@@ -80,17 +87,15 @@ double TuneProof::hold() const
     return proofHold(m_run.plan().loop, report.proposed.made, *report.predicted);
 }
 
-/// As many as take the noise out of a current, or as there is time for; of other loops two, or one where the time is short.
+/// As many as take the noise out of a current, of other loops two; or as there is time for, of what is left for each way.
 int TuneProof::repeats() const
 {
     const TuneReport &report = m_run.report();
-    if (m_run.plan().loop == Mode::Current) {
-        const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
-        const double fit = (room - proofSeconds(hold(), 0)) / (proofSeconds(hold(), 1) - proofSeconds(hold(), 0));
-        const int asked = currentRepeats(report.plant.noise, report.step);
-        return std::clamp(static_cast<int>(fit), currentRepeats(0.0, 1.0), asked);
-    }
-    return m_run.left() >= 2.0 * proofSeconds(hold(), usualProofs) ? usualProofs : 1;
+    const bool isCurrent = m_run.plan().loop == Mode::Current;
+    const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
+    const double fit = (room - proofSeconds(hold(), 0)) / (proofSeconds(hold(), 1) - proofSeconds(hold(), 0));
+    const int asked = isCurrent ? currentRepeats(report.plant.noise, report.step) : usualProofs;
+    return std::clamp(static_cast<int>(fit), isCurrent ? currentRepeats(0.0, 1.0) : 1, asked);
 }
 
 double TuneProof::seconds() const
@@ -322,6 +327,9 @@ Task<void> TuneProof::keep()
         ? say("the steps in both directions kept their limits; the gains were written and read back")
         : say("the steps in both directions kept their limits; the gains were written, which this family cannot read "
               "back");
+    constexpr int wanted = 2 * usualProofs;
+    if (const int steps = stepsOf(report.proof); m_run.plan().loop != Mode::Current && steps < wanted)
+        report.evidence = joined(report.evidence, say("they were proven by %1 steps instead of %2", steps, wanted));
     if (const Message story = m_design.story(); !story.empty())
         report.evidence = joined(report.evidence, story);
     if (const double rate = profileRate(); rate > 0.0)

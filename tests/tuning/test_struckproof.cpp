@@ -3,12 +3,15 @@
 // model that is known, on every family in virtual time.
 #include "app/console/failure.h"
 #include "app/console/tuneverdict.h"
+#include "async/sleep.h"
 #include "experiment/owedgains.h"
+#include "experiment/seconds.h"
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "tests/tuning/matrix/groundtruth.h"
 #include "tests/tuning/othermaster.h"
 #include "tuning/gainrules.h"
+#include "tuning/proofcourse.h"
 
 #include <gtest/gtest.h>
 
@@ -270,6 +273,55 @@ TEST(ProofOfADmc60c, ThatMeetsALimitSwitchNamesIt)
         EXPECT_FALSE(proven.unit.simulator().isOutputOn());
         EXPECT_EQ(proven.unit.gainsInUnit(), proven.before);
     }
+}
+
+Task<void> waits(Clock &clock, Duration time)
+{
+    co_await Sleep(clock, time);
+    co_return {};
+}
+
+/// Of a proof that something keeps from its first step for so many of the sixty seconds.
+TuneReport provenAfter(double seconds)
+{
+    const Cell cell = cellWith("dmc60c", Mode::Velocity);
+    MatrixUnit unit(cell);
+    TunePlan plan;
+    plan.known = groundTruth(cell, 1000.0);
+    plan.response = tuning::responseOf(Mode::Velocity, tuning::Aim::Calm, *plan.known);
+    plan.ms = 1.7;
+    auto around = unit.surroundings();
+    around.before = [&unit, seconds] { return waits(unit.clock(), tuning::ofSeconds(seconds)); };
+    const auto report
+        = run(unit.clock(), tuning::autotune(unit.device(), unit.stream(), plan, std::move(around)), 10min);
+    EXPECT_TRUE(report) << report.error().text();
+    return report ? *report : TuneReport();
+}
+
+std::size_t stepsMade(const TuneReport &report)
+{
+    std::size_t steps = 0;
+    for (const tuning::Trial &trial : report.proof)
+        steps += trial.holds.size();
+    return steps;
+}
+
+TEST(StepsOfAProof, AreFourAsLongAsThereIsTimeForTwoMoreOrTheAnswerSaysHowManyTheyWere)
+{
+    const TuneReport early = provenAfter(0.0);
+    ASSERT_EQ(early.result, TuneResult::Kept) << early.evidence;
+    EXPECT_EQ(stepsMade(early), 4U);
+    EXPECT_EQ(early.evidence.english().find("instead of 4"), std::string::npos) << early.evidence;
+    const double way = tuning::proofSeconds(early.proof.front().stimulus.time, tuning::usualProofs);
+    const TuneReport late = provenAfter(60.0 - 2.3 * way);
+    ASSERT_EQ(late.result, TuneResult::Kept) << late.evidence;
+    EXPECT_EQ(stepsMade(late), 4U) << "there is time for the other way";
+    EXPECT_EQ(late.evidence.english().find("instead of 4"), std::string::npos) << late.evidence;
+    const TuneReport tooLate = provenAfter(60.0 - way);
+    ASSERT_EQ(tooLate.result, TuneResult::Kept) << tooLate.evidence;
+    EXPECT_EQ(stepsMade(tooLate), 3U);
+    EXPECT_NE(tooLate.evidence.english().find("they were proven by 3 steps instead of 4"), std::string::npos)
+        << tooLate.evidence;
 }
 
 } // namespace

@@ -196,6 +196,8 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     }
     row.result = toString(report->result);
     row.seconds = report->seconds;
+    for (const tuning::Trial &trial : report->proof)
+        row.steps += static_cast<int>(trial.holds.size());
     row.stages = stagesOf(unit.notes(), report->seconds);
     row.notes = unit.notes();
     for (const tuning::Gate &gate : report->gates)
@@ -237,7 +239,7 @@ std::string matrixHead()
         head += std::string("\t") + who + "_itae\t" + who + "_os\t" + who + "_settle";
     return head
         + "\tkept_p\tkept_i\tkept_d\tbest_p\tbest_i\tbest_d\tbefore_p\tbefore_i\tbefore_d\tbefore_"
-          "within\tkept_spread\tbest_spread\tdialect\treason";
+          "within\tkept_spread\tbest_spread\tdialect\tsteps\treason";
 }
 
 std::string textOf(const MatrixRow &row)
@@ -258,7 +260,7 @@ std::string textOf(const MatrixRow &row)
     text += row.isFormerWithin ? "\t1" : "\t0";
     for (const auto *const response : {&row.kept, &row.best})
         text += '\t' + (*response ? number((*response)->spread) : "");
-    return text + '\t' + cell.dialect + '\t' + row.reason;
+    return text + '\t' + cell.dialect + '\t' + std::to_string(row.steps) + '\t' + row.reason;
 }
 
 } // namespace mb::test

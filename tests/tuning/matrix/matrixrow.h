@@ -24,6 +24,7 @@ struct MatrixRow {
     bool stopped = true;
     bool isWithin = false; ///< the kept gains hold the bounds of bruteForce(), but for the overshoot
     double step = 0.0;
+    int steps = 0; ///< that have proven what was kept
     tuning::ContinuousGains keptGains;
     tuning::ContinuousGains bestGains;
     tuning::ContinuousGains formerGains; ///< that were there before; 0 where they are not known
