@@ -19069,10 +19069,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Gerät wählen, dann die Scharf-Taste in der Kopfzeile halten</translation>
     </message>
     <message>
-        <source>two units answer as %1</source>
-        <translation>zwei Geräte antworten als %1</translation>
         <source>they were proven by %1 steps instead of %2</source>
         <translation>%1 Sprünge statt %2 haben sie nachgewiesen</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>zwei Geräte antworten als %1</translation>
     </message>
 </context>
 </TS>

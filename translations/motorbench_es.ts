@@ -19069,10 +19069,12 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>selecciónelo y mantenga pulsado Armar en la cabecera</translation>
     </message>
     <message>
-        <source>two units answer as %1</source>
-        <translation>dos equipos responden como %1</translation>
         <source>they were proven by %1 steps instead of %2</source>
         <translation>se verificaron con %1 escalones en lugar de %2</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>dos equipos responden como %1</translation>
     </message>
 </context>
 </TS>

@@ -19069,10 +19069,12 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>sélectionnez-le, puis maintenez Armer dans l’en-tête</translation>
     </message>
     <message>
-        <source>two units answer as %1</source>
-        <translation>deux appareils répondent comme %1</translation>
         <source>they were proven by %1 steps instead of %2</source>
         <translation>%1 échelons au lieu de %2 les ont éprouvés</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>deux appareils répondent comme %1</translation>
     </message>
 </context>
 </TS>

@@ -19052,10 +19052,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>選択して、ヘッダの駆動許可ボタンを長押ししてください</translation>
     </message>
     <message>
-        <source>two units answer as %1</source>
-        <translation>2 台の機器が %1 として応答しています</translation>
         <source>they were proven by %1 steps instead of %2</source>
         <translation>%2 回ではなく %1 回のステップで検証されました</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>2 台の機器が %1 として応答しています</translation>
     </message>
 </context>
 </TS>

@@ -19052,10 +19052,12 @@ double click plots it, drag it to a pane or below them</source>
         <translation>请选中它，然后按住标题栏中的“解锁”</translation>
     </message>
     <message>
-        <source>two units answer as %1</source>
-        <translation>有两台设备以 %1 应答</translation>
         <source>they were proven by %1 steps instead of %2</source>
         <translation>经 %1 次而非 %2 次阶跃验证</translation>
+    </message>
+    <message>
+        <source>two units answer as %1</source>
+        <translation>有两台设备以 %1 应答</translation>
     </message>
 </context>
 </TS>
