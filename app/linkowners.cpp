@@ -2,6 +2,7 @@
 #include "app/linkowners.h"
 
 #include "model/deviceprofile.h"
+#include "transport/linkaddress.h"
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
@@ -14,12 +15,17 @@ namespace {
 /// The link without its options: two windows may want different bit rates of one port.
 std::string bare(const std::string &address)
 {
-    return address.substr(0, address.find('?'));
+    auto parsed = LinkAddress::parse(address);
+    if (!parsed)
+        return address;
+    parsed->options.clear();
+    return parsed->text();
 }
 
 bool isHardware(const std::string &address)
 {
-    return !address.starts_with("sim:") && !address.starts_with("replay:") && !address.starts_with("unix:");
+    const auto parsed = LinkAddress::parse(address);
+    return parsed && !parsed->isSimulated() && !parsed->isRecording() && parsed->scheme != "unix";
 }
 
 QString processText(const QString &name, qint64 number)

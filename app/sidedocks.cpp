@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sidedocks.h"
 
+#include "transport/linkaddress.h"
 #include "widgets/common/guarded.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/connection/devicetree.h"
@@ -67,7 +68,7 @@ void SideDocks::buildDevices()
 void SideDocks::forgetLink(const QString &address)
 {
     m_settings.removeLink(address);
-    if (address.startsWith(QLatin1String("sim:")))
+    if (isSimulatedLink(address.toStdString()))
         m_settings.removeLink(QStringLiteral("sim:")); // which stood for this one too
 }
 

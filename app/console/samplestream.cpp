@@ -2,6 +2,7 @@
 #include "app/console/samplestream.h"
 
 #include "app/console/target.h"
+#include "model/identity.h"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +14,7 @@ namespace {
 /// What follows the link in its selector: a link's own slashes would be levels of a topic.
 std::string nameOf(const Device &device)
 {
-    const std::string whole = device.selector();
-    return whole.substr(whole.rfind('/') + 1);
+    return std::string(partsOf(device.selector()).device);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/snapshotpublisher.h"
 
+#include "model/identity.h"
+
 #include <algorithm>
 
 namespace mb {
@@ -21,7 +23,7 @@ bool isElsewhere(Session &session, const OwedStop &owed)
 {
     const std::vector<Link *> links = session.links();
     return std::ranges::any_of(links, [&owed](const Link *link) {
-        return owed.device.starts_with(link->address().text() + '/') && link->line() != owed.line;
+        return partsOf(owed.device).link == link->address().text() && link->line() != owed.line;
     });
 }
 

@@ -34,21 +34,17 @@ Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
         return fail(Fault::OutOfRange,
             say("'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5", text));
     };
-    const auto slash = text.find_last_of('/');
-    if (slash == std::string_view::npos)
-        return bad();
-    MB_TRY(auto link, LinkAddress::parse(text.substr(0, slash)));
-    const std::string_view device = text.substr(slash + 1);
+    const auto [linkText, device, addressText, sessionText] = partsOf(text);
     const auto colon = device.find(':');
-    if (colon == std::string_view::npos || colon == 0)
+    if (linkText.empty())
         return bad();
-    const auto at = device.find('@', colon);
-    const auto address = parseInt(device.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1), 10);
-    if (!address)
+    MB_TRY(auto link, LinkAddress::parse(linkText));
+    const auto address = parseInt(addressText, 10);
+    if (colon == 0 || !address)
         return bad();
     DeviceSelector selector{std::move(link), std::string(device.substr(0, colon)), *address, std::nullopt};
-    if (at != std::string_view::npos) {
-        selector.session = parseInt(device.substr(at + 1), 16);
+    if (!sessionText.empty()) {
+        selector.session = parseInt(sessionText.substr(1), 16);
         if (!selector.session)
             return bad();
     }
@@ -64,6 +60,21 @@ std::string DeviceSelector::text() const
         out += hex.data();
     }
     return out;
+}
+
+SelectorParts partsOf(std::string_view selector)
+{
+    const auto slash = selector.rfind('/');
+    SelectorParts parts;
+    parts.link = selector.substr(0, slash == std::string_view::npos ? 0 : slash);
+    parts.device = selector.substr(slash + 1); // all of it without a slash
+    const auto colon = parts.device.find(':');
+    if (colon == std::string_view::npos)
+        return parts;
+    const std::string_view number = parts.device.substr(colon + 1);
+    parts.address = number.substr(0, number.find('@'));
+    parts.session = number.substr(parts.address.size());
+    return parts;
 }
 
 DeviceSelector selectorOf(const LinkAddress &link, const Identity &identity)

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,15 @@ struct DeviceSelector {
     [[nodiscard]] static Result<DeviceSelector> parse(std::string_view text);
     [[nodiscard]] std::string text() const;
 };
+
+/// The parts of a selector as text. They are not checked: the device may be gone, the link another computer's.
+struct SelectorParts {
+    std::string_view link;    ///< empty where it names none
+    std::string_view device;  ///< all that follows the link: `dmc60c:5`, `dmc60c:5@0007`
+    std::string_view address; ///< `5`
+    std::string_view session; ///< `@0007`; empty: it names none
+};
+[[nodiscard]] SelectorParts partsOf(std::string_view selector);
 
 /// The selector that finds this device again; with the session only where the address alone is not enough.
 [[nodiscard]] DeviceSelector selectorOf(const LinkAddress &link, const Identity &identity);

@@ -2,6 +2,7 @@
 #include "model/owedstops.h"
 
 #include "model/family.h"
+#include "model/identity.h"
 
 #include <algorithm>
 #include <string_view>
@@ -12,15 +13,10 @@ namespace {
 
 constexpr Duration lookPeriod = std::chrono::seconds(1);
 
-/// "abstractdc:3" of "socketcan:can0/abstractdc:3": the name of an interface may change, the device on the line does not.
-std::string_view unitOf(std::string_view selector)
-{
-    return selector.substr(selector.rfind('/') + 1);
-}
-
+/// The name of an interface may change, the device on the line does not.
 bool isOf(const OwedStop &owed, std::string_view line, std::string_view selector)
 {
-    return owed.line == line && unitOf(owed.device) == unitOf(selector);
+    return owed.line == line && partsOf(owed.device).device == partsOf(selector).device;
 }
 
 /// The device itself shows what became of its motor, and tells it to stop.

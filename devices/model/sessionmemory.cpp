@@ -3,6 +3,7 @@
 
 #include "files/qttext.h"
 #include "model/family.h"
+#include "model/identity.h"
 #include "model/unit.h"
 
 #include <QFile>
@@ -25,9 +26,8 @@ std::string keyOf(const Device &device)
     Identity place = device.identity();
     place.serial.clear();
     const std::string selector = device.selector();
-    const std::size_t session = selector.find('@', selector.rfind('/')); // of one of several with one number
     return unitKeyOf(place, device.link().line(), false)
-        + (session == std::string::npos ? std::string() : selector.substr(session));
+        .append(partsOf(selector).session); // of one of several with one number
 }
 
 /// What an earlier build kept under the name of the link, where nothing is kept of the place. Taken over once: another adapter may have

@@ -2,6 +2,7 @@
 #include "recording/export.h"
 
 #include "model/family.h"
+#include "model/identity.h"
 
 #include <algorithm>
 
@@ -19,30 +20,24 @@ std::string plain(std::string_view text)
     return word;
 }
 
-std::string devicePart(const std::string &selector)
-{
-    const std::size_t slash = selector.rfind('/');
-    return slash == std::string::npos ? selector : selector.substr(slash + 1);
-}
-
 } // namespace
 
 std::string ExportChannel::title() const
 {
-    return device.empty() ? key : devicePart(device) + ' ' + key;
+    return device.empty() ? key : std::string(partsOf(device).device) + ' ' + key;
 }
 
 std::string ExportChannel::topic() const
 {
     if (device.empty())
         return "/derived/" + plain(key);
-    const std::string part = devicePart(device);
-    std::string link = device.substr(0, device.size() - part.size());
+    const SelectorParts parts = partsOf(device);
+    std::string link(parts.link);
     while (!link.empty() && link.back() == '/')
         link.pop_back();
     std::replace(link.begin(), link.end(), '/', '_');
     std::replace(link.begin(), link.end(), '.', '_');
-    return '/' + plain(link) + '/' + plain(part) + '/' + plain(key);
+    return '/' + plain(link) + '/' + plain(parts.device) + '/' + plain(key);
 }
 
 std::vector<ExportChannel> channelsOf(const DeviceView &device, bool simulated)

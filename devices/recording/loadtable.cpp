@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/loadtable.h"
 
+#include "model/identity.h"
 #include "wire/byteordermark.h"
 #include "wire/number.h"
 
@@ -109,7 +110,7 @@ std::optional<std::pair<std::string, std::uint64_t>> lossIn(std::string_view lin
     if (!count)
         return std::nullopt;
     const std::string_view selector = line.substr(mark.size(), owner - mark.size());
-    const std::string device(selector == "derived" ? "" : selector.substr(selector.rfind('/') + 1));
+    const std::string device(selector == "derived" ? "" : partsOf(selector).device);
     const std::string key(line.substr(owner + 2, equals - owner - 2));
     return std::pair(device.empty() ? key : device + ' ' + key, *count);
 }

@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "model/heardsince.h"
+#include "model/identity.h"
 #include "model/unit.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 /// Where the unit of a visit was.
 std::string linkOf(const Visit &visit)
 {
-    return visit.device.substr(0, visit.device.rfind('/'));
+    return std::string(partsOf(visit.device).link);
 }
 
 /// Who answers as its unit does is the one of this visit. Who stands in a place may be another than the one that has ended there, or

@@ -105,6 +105,12 @@ std::optional<std::string_view> LinkAddress::option(std::string_view key) const
     return std::nullopt;
 }
 
+bool isSimulatedLink(std::string_view address)
+{
+    const auto parsed = LinkAddress::parse(address);
+    return parsed && parsed->isSimulated();
+}
+
 LinkKind kindOf(const LinkAddress &address)
 {
     if (address.scheme == "serial" || address.scheme == "pty" || (address.isSimulated() && address.path == "serial"))

@@ -37,6 +37,8 @@ struct LinkAddress {
     friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
 };
 
+/// Of an address as text; false where it is none.
+[[nodiscard]] bool isSimulatedLink(std::string_view address);
 /// Of the link that an address names; a path that stands for all simulated links counts as CAN.
 [[nodiscard]] LinkKind kindOf(const LinkAddress &address);
 

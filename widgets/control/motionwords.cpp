@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/motionwords.h"
 
+#include "model/identity.h"
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
@@ -70,7 +71,7 @@ QStringList namesOwed(const Snapshot &shot)
 {
     QStringList names;
     for (const OwedStopView &owed : shot.owedStops) {
-        const QString name = QString::fromStdString(owed.device).section(QLatin1Char('/'), -1);
+        const QString name = qt(partsOf(owed.device).device);
         names += owed.elsewhere ? MotionWords::tr("%1 on the adapter before").arg(name) : name;
     }
     return names;

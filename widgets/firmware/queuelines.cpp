@@ -2,6 +2,7 @@
 #include "widgets/firmware/queuelines.h"
 
 #include "model/family.h"
+#include "model/identity.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/service/verdictof.h"
@@ -89,7 +90,7 @@ QString nameOf(const DeviceView &device)
 /// Of a unit that is gone: the last that the journal knows of it.
 QString placeOf(const service::Visit &visit)
 {
-    return qt(visit.device).section(QLatin1Char(':'), -1).prepend(QLatin1Char('#'));
+    return QLatin1Char('#') + qt(partsOf(visit.device).address);
 }
 
 QString versionsOf(const std::string &from, const std::string &to)

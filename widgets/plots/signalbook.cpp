@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/signalbook.h"
 
+#include "transport/linkaddress.h"
 #include "widgets/common/devicetext.h"
 
 #include <QRegularExpression>
@@ -42,8 +43,8 @@ QString nameAmong(const std::vector<DeviceView> &devices, const DeviceView &devi
     const QString name = asName(device.family->key) + QString::number(device.identity->address);
     if (!others([&](const DeviceView &other) { return other.family == device.family; }))
         return name;
-    const std::string_view link = device.link;
-    return name + QLatin1Char('_') + asName(link.substr(link.find(':') + 1));
+    const auto link = LinkAddress::parse(device.link);
+    return name + QLatin1Char('_') + asName(link ? link->path : device.link);
 }
 
 QString nameOfChannel(const QString &device, const Channel &channel)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportentry.h"
 
+#include "model/identity.h"
 #include "widgets/common/clocktext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/service/verdictof.h"
+#include "wire/number.h"
 
 #include <QCoreApplication>
 
@@ -72,7 +74,7 @@ ReportEntry entryOf(const service::Visit &visit, const Family *family)
     entry.unit.identity.family = visit.family;
     entry.unit.identity.serial = visit.serial;
     entry.unit.identity.firmware = visit.to.empty() ? visit.from : visit.to;
-    entry.unit.identity.address = visit.number.value_or(qt(visit.device).section(QLatin1Char(':'), -1).toInt());
+    entry.unit.identity.address = visit.number.value_or(wholeFrom<int>(partsOf(visit.device).address).value_or(0));
     entry.wish.unit = visit.unit;
     entry.wish.visit = visit.id;
     service::QueueRow row;

@@ -4,6 +4,7 @@
 #include "async/seconds.h"
 #include "files/filebytes.h"
 #include "model/family.h"
+#include "transport/linkaddress.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/filechoice.h"
 #include "widgets/common/guarded.h"
@@ -33,7 +34,7 @@ ReportUnit reportUnitOf(const DeviceView &view)
     unit.family = view.family;
     unit.identity = view.identity;
     unit.selector = view.selector;
-    unit.simulated = view.link.starts_with("sim:");
+    unit.simulated = isSimulatedLink(view.link);
     unit.unit = view.unit;
     unit.parameters = view.parameters;
     return unit;
