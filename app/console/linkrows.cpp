@@ -12,8 +12,8 @@ std::vector<LinkListing> allLinks(const Console &console)
     for (LinkListing &link : listPluginLinks())
         links.push_back(std::move(link));
     for (const LinkAddress &address : expandLink(LinkAddress{"sim", "", {}}, console.families()))
-        links.push_back(
-            {address, kindOf(address), "available", say("simulated devices inside this program"), true, {}, false});
+        links.push_back({address, kindOf(address), ListingState::Available,
+            say("simulated devices inside this program"), true, {}, false});
     return links;
 }
 
@@ -21,7 +21,8 @@ LinkListing listingOf(const Link &link, Instant now)
 {
     const bool open = link.state() == LinkState::Open;
     const Diagnosis found = diagnose(symptomsOf(link, now), now, listLinks());
-    return {link.address(), link.kind(), open ? "open" : "lost", found.message(), open, found, false};
+    return {link.address(), link.kind(), open ? ListingState::Open : ListingState::Lost, found.message(), open, found,
+        false};
 }
 
 QJsonArray toJson(const std::vector<LinkListing> &links)
@@ -31,7 +32,7 @@ QJsonArray toJson(const std::vector<LinkListing> &links)
         rows.append(QJsonObject{
             {QStringLiteral("link"), qt(link.link.text())},
             {QStringLiteral("kind"), qt(toString(link.kind))},
-            {QStringLiteral("state"), qt(link.state)},
+            {QStringLiteral("state"), qt(toString(link.state))},
             {QStringLiteral("detail"), textOrNull(link.detail.english())},
         });
     }
@@ -42,7 +43,8 @@ void print(Output &out, const std::vector<LinkListing> &links)
 {
     Table table({"LINK", "KIND", "STATE", "DETAIL"});
     for (const LinkListing &link : links)
-        table.add({link.link.text(), std::string(toString(link.kind)), link.state, link.detail.english()});
+        table.add({link.link.text(), std::string(toString(link.kind)), std::string(toString(link.state)),
+            link.detail.english()});
     table.print(out);
 }
 

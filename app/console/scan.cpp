@@ -141,7 +141,8 @@ Result<Opened> openNamed(Console &console, const std::vector<std::string> &names
         }
         if (link.error().fault == Fault::OutOfRange) // the words are wrong, not the link
             return fail(link.error());
-        opened.listings.push_back({address, kindOf(address), "absent", link.error().message(), false, {}, false});
+        opened.listings.push_back(
+            {address, kindOf(address), ListingState::Absent, link.error().message(), false, {}, false});
         if (!opened.error)
             opened.error = link.error();
     }
@@ -163,7 +164,7 @@ Opened openListed(Console &console)
             opened.links.push_back(*link);
             continue;
         }
-        listing.state = "absent";
+        listing.state = ListingState::Absent;
         listing.detail = link.error().message();
         if (!opened.error)
             opened.error = link.error();

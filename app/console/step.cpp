@@ -143,21 +143,21 @@ Task<Trial> experiment(Console &console, Session &session, Device &device, const
 
 Result<int> verdictOf(const Trial &trial)
 {
-    if (trial.reason == toString(Guard::Link))
+    if (trial.reason == EndReason::Link)
         return fail(Fault::LinkLost, say("the experiment ended because the link was lost: %1", trial.detail),
             trial.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
     if (!trial.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", trial.device),
             say("cut its power if the motor still turns"));
-    const bool isEnded = trial.reason == "done" || trial.reason == "interrupted";
+    const bool isEnded = trial.reason == EndReason::Done || trial.reason == EndReason::Interrupted;
     if (isEnded && !trial.notPutBack.empty())
         return fail(Fault::Refused, say("the gains were not put back: %1", trial.notPutBack),
             say("run it again with --yes, which puts them back first"));
     if (isEnded)
         return exitDone;
-    if (trial.reason.empty())
+    if (trial.reason == EndReason::None)
         return fail(Fault::Refused, trial.detail);
-    return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", trial.reason, trial.detail),
+    return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", toString(trial.reason), trial.detail),
         say("remove the cause before it is run again"));
 }
 

@@ -40,10 +40,10 @@ void printTrial(Console &console, const Trial &trial, std::optional<std::int64_t
         return;
     }
     printMetrics(console.out(), trial);
-    console.out().line((number ? "trial " + std::to_string(*number) + ": " : std::string()) + trial.reason
-        + (trial.stopped ? ", stopped" : ", stop not confirmed") + ", " + std::to_string(trial.samples) + " samples, "
-        + std::to_string(trial.lost) + " lost" + (trial.flags.empty() ? "" : ", " + flagsOf(trial))
-        + (trial.simulated ? ", simulated" : ""));
+    console.out().line((number ? "trial " + std::to_string(*number) + ": " : std::string())
+        + std::string(toString(trial.reason)) + (trial.stopped ? ", stopped" : ", stop not confirmed") + ", "
+        + std::to_string(trial.samples) + " samples, " + std::to_string(trial.lost) + " lost"
+        + (trial.flags.empty() ? "" : ", " + flagsOf(trial)) + (trial.simulated ? ", simulated" : ""));
 }
 
 void printTrials(Console &console, const std::vector<KeptTrial> &trials)
@@ -59,7 +59,8 @@ void printTrials(Console &console, const std::vector<KeptTrial> &trials)
         table.add({std::to_string(kept.number) + (kept.star ? " *" : ""), timeOf(kept), kept.trial.device,
             std::string(toString(kept.trial.mode)), stimulusOf(kept.trial), m.rise ? brief(*m.rise * 1e3) : "",
             m.overshoot ? brief(*m.overshoot * 100.0) : "", m.settle ? brief(*m.settle * 1e3) : "",
-            kept.trial.reason.empty() ? "aborted" : kept.trial.reason, kept.note});
+            kept.trial.reason == tuning::EndReason::None ? "aborted" : std::string(toString(kept.trial.reason)),
+            kept.note});
     }
     table.print(console.out());
 }

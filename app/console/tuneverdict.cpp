@@ -11,14 +11,14 @@ using namespace tuning;
 
 Result<int> verdictOfTuning(const TuneReport &report)
 {
-    if (report.stopReason == toString(Guard::Link))
+    if (report.stopReason == EndReason::Link)
         return fail(Fault::LinkLost, say("the tuning ended because the link was lost: %1", report.evidence),
             report.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
     if (!report.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", report.device),
             say("cut its power if the motor still turns"));
-    if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
-        return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", report.stopReason, report.evidence),
+    if (report.result == TuneResult::Stopped && report.stopReason != EndReason::Interrupted)
+        return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", toString(report.stopReason), report.evidence),
             say("remove the cause before it is run again"));
     const auto remedy = [&report](Message usual) {
         return report.notPutBack.empty() ? std::move(usual)

@@ -157,10 +157,10 @@ void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Re
             device, plan.gains, m_parameters.log(), tuning::runExperiment(device, stream, plan, std::move(around)));
     };
     story.notableOf = [](const Trial &trial) {
-        if (trial.reason == "done" && !trial.notPutBack.empty())
+        if (trial.reason == tuning::EndReason::Done && !trial.notPutBack.empty())
             return Verdict{
                 Severity::Caution, say("%1: the gains were not put back: %2", nameOf(trial), trial.notPutBack)};
-        if (trial.reason == "done")
+        if (trial.reason == tuning::EndReason::Done)
             return Verdict{Severity::Good, say("%1: %2", nameOf(trial), resultOf(trial))};
         return Verdict{Severity::Danger,
             say("%1 was stopped: %2, %3", nameOf(trial), Message::label(tuning::endingLabel(trial.reason)),
@@ -196,7 +196,7 @@ void Trials::carryOut(
         return tuning::measureFrequencyResponse(device, stream, plan, plant, std::move(around));
     };
     story.notableOf = [](const tuning::FrequencyResponse &response) {
-        return Verdict{response.stopReason.empty() ? Severity::Good : Severity::Danger,
+        return Verdict{response.stopReason == tuning::EndReason::None ? Severity::Good : Severity::Danger,
             say("frequency response: %1", response.evidence)};
     };
     run(order.device, story, finished);

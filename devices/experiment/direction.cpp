@@ -31,15 +31,16 @@ constexpr Duration restSpan = 100ms;
 constexpr Duration untoldTime = 1s; ///< without a position
 constexpr double restCounts = 3.0;
 
-std::string verdictKey(const Device &device, int axis)
+std::string keyOf(const Device &device, int axis)
 {
-    return axisKey(device.family().capabilities.axes > 1 ? axis : 0, "direction");
+    return directionKey(device.family().capabilities.axes > 1 ? axis : 0);
 }
 
-tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, Message detail)
+tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, EndReason guard, Message detail)
 {
-    if (guard != Guard::Link)
-        device.knowledge().setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
+    if (guard != EndReason::Link)
+        device.knowledge().setVerdict(keyOf(device, axis),
+            guard == EndReason::NoMotion ? DirectionVerdict::NoMotion : DirectionVerdict::Reversed);
     trip = Trip{guard, detail, device.clock().now()};
     return fail(Fault::Unsafe, std::move(detail));
 }
@@ -88,7 +89,7 @@ bool isHeard(const Device &device, int axis)
 
 tl::unexpected<Error> silent(Device &device, int axis, std::optional<Trip> &trip)
 {
-    return wrong(device, axis, trip, Guard::Link, say("%1 does not answer", device.selector()));
+    return wrong(device, axis, trip, EndReason::Link, say("%1 does not answer", device.selector()));
 }
 
 std::vector<Place> placesOf(const Device &device, std::optional<int> axis)
@@ -153,24 +154,24 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
         auto pushing = push(device, stream, recorder, setPoint, clearMove, isSent ? nudgeTime : pulse);
         const Result<double> pushed = co_await std::move(pushing).attempt();
         moved = pushed.value_or(recorder.latest("position").value_or(before) - before);
-        const bool ranAway = recorder.trip() && recorder.trip()->guard == Guard::Travel && moved <= -enough;
+        const bool ranAway = recorder.trip() && recorder.trip()->guard == EndReason::Travel && moved <= -enough;
         if (!pushed && !ranAway)
             co_return fail(pushed.error());
         if (moved >= enough) {
-            device.knowledge().setVerdict(verdictKey(device, axis), "agrees");
+            device.knowledge().setVerdict(keyOf(device, axis), DirectionVerdict::Agrees);
             co_return isSent ? 0.0 : setPoint.target;
         }
     }
     if (!isHeard(device, axis))
         co_return silent(device, axis, trip);
     if (std::abs(moved) < enough)
-        co_return wrong(device, axis, trip, Guard::NoMotion,
+        co_return wrong(device, axis, trip, EndReason::NoMotion,
             isSent ? say("the motor did not move when it was sent %1 counts up (%2 counts): stalled, or the encoder is "
                          "dead",
                 most, moved)
                    : say("the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead",
                        std::round(most * 100.0), moved));
-    co_return wrong(device, axis, trip, Guard::WrongDirection,
+    co_return wrong(device, axis, trip, EndReason::WrongDirection,
         say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
 }
 

@@ -113,7 +113,7 @@ Task<void> ExperimentMotion::goTo(double target)
             if (beginsHere())
                 break;
             m_stream.stop();
-            m_unreached = Trip{Guard::Time,
+            m_unreached = Trip{EndReason::Time,
                 say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
                     std::round(std::abs(here - target) * 100.0) / 100.0),
                 limit};

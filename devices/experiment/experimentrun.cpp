@@ -249,7 +249,7 @@ Task<void> ExperimentRun::putBack()
         m_around.leftInForce(say("what was there is not known, and those that were tried are in force"));
     if (m_plan.keep == Keep::Always && !m_inForce)
         co_return {};
-    if (m_plan.keep == Keep::Always || (m_plan.keep == Keep::WhenDone && m_trial.reason == "done")) {
+    if (m_plan.keep == Keep::Always || (m_plan.keep == Keep::WhenDone && m_trial.reason == EndReason::Done)) {
         co_await releaseKept();
         co_return {};
     }
@@ -279,7 +279,7 @@ void ExperimentRun::classifyEnding(const std::optional<Error> &error)
         m_trip = m_recorder.trip();
     if (m_recorder.limitMet())
         m_trial.flags.emplace_back(flag::limitSwitch);
-    if (m_trip && m_trip->guard == Guard::NoMotion && m_recorder.limitMet())
+    if (m_trip && m_trip->guard == EndReason::NoMotion && m_recorder.limitMet())
         m_trip->detail = joined(m_trip->detail, Message::label(m_recorder.limitMet()->clause));
     Ending ending;
     ending.completed = m_motion.isCompleted();

@@ -39,26 +39,6 @@ MessageNumber milliseconds(Duration time)
 
 } // namespace
 
-std::string_view toString(Guard guard)
-{
-    switch (guard) {
-    case Guard::Travel: return "travel";
-    case Guard::Speed: return "speed";
-    case Guard::Current: return "current";
-    case Guard::Duty: return "duty";
-    case Guard::Energy: return "energy";
-    case Guard::Temperature: return "temperature";
-    case Guard::BusVoltage: return "bus V";
-    case Guard::WrongDirection: return "wrong direction";
-    case Guard::NoMotion: return "no motion";
-    case Guard::Oscillation: return "oscillation";
-    case Guard::Time: return "time";
-    case Guard::Link: return "link";
-    case Guard::User: return "user";
-    }
-    return "";
-}
-
 Guards::Guards(const GuardPlan &plan, Instant start)
     : m_plan(plan)
     , m_start(start)
@@ -67,7 +47,7 @@ Guards::Guards(const GuardPlan &plan, Instant start)
 {
 }
 
-std::optional<Trip> Guards::trip(Guard guard, Instant at, Message detail)
+std::optional<Trip> Guards::trip(EndReason guard, Instant at, Message detail)
 {
     if (m_tripped)
         return std::nullopt;
@@ -105,11 +85,11 @@ std::optional<Trip> Guards::position(Instant time, double counts)
         m_motion.duty(time, pushOf(m_target), fullPush);
     m_motion.position(time, counts);
     if (m_motion.wrong() >= wrongSamples)
-        return trip(Guard::WrongDirection, time,
+        return trip(EndReason::WrongDirection, time,
             underPush(m_motion.pushed() > 0.0 ? say("the sensor is reversed: it counts down")
                                               : say("the sensor is reversed: it counts up")));
     if (m_motion.stuck() >= stuckTime + m_plan.late)
-        return trip(Guard::NoMotion, time,
+        return trip(EndReason::NoMotion, time,
             underPush(
                 say("stalled, or the encoder is dead: less than 3 counts in %1", milliseconds(m_motion.stuck()))));
     const auto &limit = m_plan.envelope.travel;
@@ -117,7 +97,7 @@ std::optional<Trip> Guards::position(Instant time, double counts)
     const double stops = counts + m_speed * (latency + m_plan.lag);
     const double farthest = std::max(std::abs(stops - m_plan.origin), std::abs(counts - m_plan.origin));
     if (limit && farthest > *limit)
-        return trip(Guard::Travel, time,
+        return trip(EndReason::Travel, time,
             say("it would stop %1 counts from the start, %2 are allowed", rounded(farthest), rounded(*limit)));
     return std::nullopt;
 }
@@ -127,7 +107,7 @@ std::optional<Trip> Guards::velocity(Instant time, double perSecond)
     heard(time);
     const auto &planned = m_plan.envelope.speed;
     if (planned && std::abs(perSecond) > speedMargin * *planned)
-        return trip(Guard::Speed, time,
+        return trip(EndReason::Speed, time,
             say("speed %1 counts/s is above 1.2 × %2 counts/s", rounded(std::abs(perSecond)), rounded(*planned)));
     return std::nullopt;
 }
@@ -140,13 +120,13 @@ std::optional<Trip> Guards::current(Instant time, double amperes)
         return std::nullopt;
     m_overload.add(time, amperes, *limit);
     if (std::abs(amperes) > peakMargin * *limit)
-        return trip(
-            Guard::Current, time, say("current %1 A is above 1.5 × %2 A", rounded(std::abs(amperes)), rounded(*limit)));
+        return trip(EndReason::Current, time,
+            say("current %1 A is above 1.5 × %2 A", rounded(std::abs(amperes)), rounded(*limit)));
     if (m_overload.above() >= overloadTime)
-        return trip(Guard::Current, time,
+        return trip(EndReason::Current, time,
             say("current was above %1 A for %2", rounded(*limit), milliseconds(m_overload.above())));
     if (m_overload.heat() > heatBudget)
-        return trip(Guard::Energy, time,
+        return trip(EndReason::Energy, time,
             say("the motor took the heat of %1 s at %2 A, 10 s are allowed; let it cool", rounded(m_overload.heat()),
                 rounded(*limit)));
     return std::nullopt;
@@ -159,10 +139,10 @@ std::optional<Trip> Guards::duty(Instant time, double fraction)
     const double limit = m_plan.envelope.duty.value_or(1.0);
     m_oscillation.duty(time, fraction, limit);
     if (std::abs(fraction) > limit + dutyMargin)
-        return trip(Guard::Duty, time,
+        return trip(EndReason::Duty, time,
             say("duty %1 % is above %2 %", rounded(std::abs(fraction) * 100.0), rounded(limit * 100.0)));
     if (m_oscillation.flips() > mostFlips)
-        return trip(Guard::Oscillation, time,
+        return trip(EndReason::Oscillation, time,
             say("the duty changed its direction %1 times in a second", m_oscillation.flips()));
     return std::nullopt;
 }
@@ -172,7 +152,7 @@ std::optional<Trip> Guards::temperature(Instant time, double celsius)
     heard(time);
     if (celsius <= m_plan.hottest - heatMargin)
         return std::nullopt;
-    return trip(Guard::Temperature, time,
+    return trip(EndReason::Temperature, time,
         say("temperature %1 °C is within 5 K of %2 °C", rounded(celsius), rounded(m_plan.hottest)));
 }
 
@@ -181,7 +161,7 @@ std::optional<Trip> Guards::busVoltage(Instant time, double volts)
     heard(time);
     if (volts >= m_plan.lowestBus && volts <= m_plan.highestBus)
         return std::nullopt;
-    return trip(Guard::BusVoltage, time,
+    return trip(EndReason::BusVoltage, time,
         say("supply %1 V is outside %2 … %3 V", rounded(volts), rounded(m_plan.lowestBus), rounded(m_plan.highestBus)));
 }
 
@@ -193,10 +173,10 @@ std::optional<Trip> Guards::error(Instant time, double error)
     const bool isBlind = !m_plan.dutyKnown && !m_plan.isVelocity; // no duty shows how hard it works
     if (isBlind && m_oscillation.lasting() >= lastingPeaks)
         return trip(
-            Guard::Oscillation, time, say("the loop does not come to rest: %1 swings", m_oscillation.lasting()));
+            EndReason::Oscillation, time, say("the loop does not come to rest: %1 swings", m_oscillation.lasting()));
     if (m_oscillation.growing() < growingPeaks)
         return std::nullopt;
-    return trip(Guard::Oscillation, time,
+    return trip(EndReason::Oscillation, time,
         say("the loop swings itself up: %1 swings, each larger than the last or with full duty",
             m_oscillation.growing()));
 }
@@ -205,9 +185,10 @@ std::optional<Trip> Guards::judgeSilence(Instant now)
 {
     const Duration patience = std::max<Duration>(m_plan.silence, silentPeriods * m_plan.telemetry);
     if (now - m_heardAt > patience)
-        return trip(Guard::Link, m_heardAt + patience, say("no sample for %1", milliseconds(now - m_heardAt)));
+        return trip(EndReason::Link, m_heardAt + patience, say("no sample for %1", milliseconds(now - m_heardAt)));
     if (now - m_positionAt > patience)
-        return trip(Guard::Link, m_positionAt + patience, say("no position for %1", milliseconds(now - m_positionAt)));
+        return trip(
+            EndReason::Link, m_positionAt + patience, say("no position for %1", milliseconds(now - m_positionAt)));
     return std::nullopt;
 }
 
@@ -218,11 +199,11 @@ std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64
     m_loss.add(now, samples, lost);
     if (m_loss.share() > m_plan.mostLost)
         return trip(
-            Guard::Link, now, say("%1 % of the samples were lost in a second", rounded(m_loss.share() * 100.0)));
+            EndReason::Link, now, say("%1 % of the samples were lost in a second", rounded(m_loss.share() * 100.0)));
     const auto longest = std::chrono::duration_cast<Duration>(m_plan.longest * planMargin);
     if (now - m_start > longest)
-        return trip(
-            Guard::Time, m_start + longest, say("it took longer than 1.5 × %1 s", rounded(inSeconds(m_plan.longest))));
+        return trip(EndReason::Time, m_start + longest,
+            say("it took longer than 1.5 × %1 s", rounded(inSeconds(m_plan.longest))));
     return std::nullopt;
 }
 

@@ -3,37 +3,19 @@
 
 #include "async/clock.h"
 #include "async/message.h"
+#include "experiment/endreason.h"
 #include "experiment/watchers.h"
 #include "model/trialtraits.h"
 
 #include <optional>
-#include <string_view>
 
 namespace mb::tuning {
 
 /// Times a speed that is allowed, at which its guard stops.
 constexpr double speedMargin = 1.2;
 
-/// What ends an experiment. The names are stable: they are the reason in JSON.
-enum class Guard {
-    Travel,
-    Speed,
-    Current,
-    Duty,
-    Energy,
-    Temperature,
-    BusVoltage,
-    WrongDirection,
-    NoMotion,
-    Oscillation,
-    Time,
-    Link,
-    User
-};
-[[nodiscard]] std::string_view toString(Guard guard);
-
 struct Trip {
-    Guard guard = Guard::User;
+    EndReason guard = EndReason::User;
     Message detail; ///< one clause with the numbers: "speed 5200 counts/s is above 1.2 × 4000 counts/s"
     Instant at{};   ///< when its condition was fulfilled: the sample, or for time and link the instant
 };
@@ -88,7 +70,7 @@ public:
 private:
     void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
     [[nodiscard]] std::optional<Trip> judgeSilence(Instant now);
-    [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, Message detail);
+    [[nodiscard]] std::optional<Trip> trip(EndReason guard, Instant at, Message detail);
     [[nodiscard]] Message underPush(const Message &what) const;
     [[nodiscard]] double pushOf(double error) const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "experiment/endreason.h"
 #include "experiment/metrics.h"
 #include "experiment/stimulus.h"
 #include "model/parameter.h"
@@ -63,8 +64,8 @@ struct Trial {
     Metrics metrics;
     Metrics errors; ///< ±, of repeats
     std::vector<std::string> flags;
-    std::string reason; ///< done, interrupted, link, a guard's name; empty: nobody saw its end
-    Message detail;     ///< one clause about it; empty for done
+    EndReason reason = EndReason::None;
+    Message detail; ///< one clause about it; empty for done
     Message
         notPutBack; ///< why what it has written is still in force, and owed; empty: the gains are as planned. Not kept
     bool stopped = false;
@@ -76,7 +77,7 @@ struct Trial {
 
     [[nodiscard]] bool has(std::string_view flag) const;
     /// Whether another may follow by itself: it was done, its motor was seen to stand, and its gains are as planned.
-    [[nodiscard]] bool mayGoOn() const { return reason == "done" && stopped && notPutBack.empty(); }
+    [[nodiscard]] bool mayGoOn() const { return reason == EndReason::Done && stopped && notPutBack.empty(); }
     [[nodiscard]] const Signal *signal(std::string_view key) const; ///< of its axis; nullptr: not recorded
     /// The mean of all repeats (averaged(), equivalenttime.h), t = 0 at the edge, some of what was before: the hold as long as all
     /// have it, then the ways back, each from where the shortest hold has ended. The signal as it is where nothing steps.

@@ -121,7 +121,7 @@ void addFlags(Trial &trial, const Family &family, const Reading &reading, const 
     const auto down = back.response.metrics.rise;
     addFlag(trial, flag::asymmetric, up && down && std::abs(*up - *down) > unlike * std::max(*up, *down));
     const bool still = reading.isWhole && !reading.response.moved && !measured.isEmpty();
-    addFlag(trial, flag::didNotMove, still || trial.reason == toString(Guard::NoMotion));
+    addFlag(trial, flag::didNotMove, still || trial.reason == EndReason::NoMotion);
 }
 
 std::vector<Span> spansOf(const Spans &spans, Instant zero)
@@ -153,65 +153,52 @@ void describe(Trial &trial, const Device &device)
     trial.unit = unitKeyOf(device);
 }
 
+namespace {
+
+EndReason reasonOf(SetPointStream::End end)
+{
+    using End = SetPointStream::End;
+    switch (end) {
+    case End::Late: return EndReason::Late;
+    case End::Slept: return EndReason::Slept;
+    case End::DeviceRestarted: return EndReason::DeviceRestarted;
+    case End::ForeignMaster: return EndReason::ForeignMaster;
+    case End::Unguarded: return EndReason::Unguarded;
+    default: return EndReason::Refused;
+    }
+}
+
+} // namespace
+
 void nameEnding(Trial &trial, const Ending &ending)
 {
     using End = SetPointStream::End;
     const bool lost = !ending.linkOpen || ending.stream == End::LinkLost || ending.stream == End::DeviceSilent
         || (ending.error && ending.error->fault == Fault::LinkLost);
     if (ending.completed) {
-        trial.reason = "done";
+        trial.reason = EndReason::Done;
     } else if (ending.trip) {
-        trial.reason = toString(ending.trip->guard);
+        trial.reason = ending.trip->guard;
         trial.detail = ending.trip->detail;
     } else if (lost) {
-        trial.reason = toString(Guard::Link);
+        trial.reason = EndReason::Link;
         trial.detail = ending.error ? ending.error->detail : ending.streamReason;
     } else if (ending.interrupted) {
-        trial.reason = "interrupted";
+        trial.reason = EndReason::Interrupted;
         trial.detail = say("the user stopped it");
     } else if (ending.stream == End::LeaseExpired) {
-        trial.reason = toString(Guard::User);
+        trial.reason = EndReason::User;
         trial.detail = ending.streamReason;
     } else if (ending.stream != End::Stopped && ending.stream != End::None) {
-        trial.reason = toString(ending.stream);
+        trial.reason = reasonOf(ending.stream);
         trial.detail = ending.streamReason;
     } else if (ending.error && ending.error->fault != Fault::Cancelled) {
         trial.detail = ending.error->detail;
     } else { // somebody has stopped the motor, and not by the interruption
-        trial.reason = "interrupted";
+        trial.reason = EndReason::Interrupted;
         trial.detail = ending.streamReason;
     }
-    addFlag(trial, flag::aborted, trial.reason != "done");
-}
-
-std::string_view endingLabel(std::string_view reason)
-{
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 22> labels{{
-        {"travel", MB_LABEL("travel")},
-        {"speed", MB_LABEL("speed")},
-        {"current", MB_LABEL("current")},
-        {"duty", MB_LABEL("duty")},
-        {"energy", MB_LABEL("energy")},
-        {"temperature", MB_LABEL("temperature")},
-        {"bus V", MB_LABEL("bus voltage")},
-        {"wrong direction", MB_LABEL("direction")},
-        {"no motion", MB_LABEL("no motion")},
-        {"oscillation", MB_LABEL("oscillation")},
-        {"time", MB_LABEL("time")},
-        {"link", MB_LABEL("link")},
-        {"user", MB_LABEL("user")},
-        {"late", MB_LABEL("lateness")},
-        {"slept", MB_LABEL("sleep")},
-        {"device restarted", MB_LABEL("restart")},
-        {"foreign master", MB_LABEL("foreign master")},
-        {"unguarded", MB_LABEL("missing guardian")},
-        {"refused", MB_LABEL("refusal")},
-        {"unconfirmed", MB_LABEL("stop not confirmed")},
-        {"interrupted", MB_LABEL("interrupted")},
-        {"done", MB_LABEL("done")},
-    }};
-    const auto row = std::ranges::find_if(labels, [&](const auto &entry) { return entry.first == reason; });
-    return row == labels.end() ? std::string_view() : row->second;
+    addFlag(trial, flag::aborted, trial.reason != EndReason::Done);
 }
 
 std::string_view flagLabel(std::string_view flag)

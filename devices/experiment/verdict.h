@@ -24,9 +24,6 @@ void describe(Trial &trial, const Device &device);
 [[nodiscard]] double resolutionOf(const Trace &trace);
 /// Reason, detail and the flag `aborted`.
 void nameEnding(Trial &trial, const Ending &ending);
-/// What Trial::reason is called in front of people, a label of the table: "direction" of "wrong direction";
-/// empty: not a reason that is known here.
-[[nodiscard]] std::string_view endingLabel(std::string_view reason);
 /// What a flag is called there; itself where it is not known here.
 [[nodiscard]] std::string_view flagLabel(std::string_view flag);
 /// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back; of what was recorded within a

@@ -78,10 +78,10 @@ Result<std::unique_ptr<Bench>> Bench::create(
     bench->m_bus = std::move(bus);
     bench->m_bus->setLoss(options.loss);
     for (const SimulatedFault &fault : options.faults) {
-        if (fault.kind == "busoff")
+        if (fault.kind == FaultKind::BusOff)
             bench->m_busOffAt = fault.at;
     }
-    std::erase_if(options.faults, [](const SimulatedFault &fault) { return fault.kind == "busoff"; });
+    std::erase_if(options.faults, [](const SimulatedFault &fault) { return fault.kind == FaultKind::BusOff; });
     MB_TRY_VOID(bench->populate(families, options.faults));
     if (bench->m_simulators.empty())
         return fail(Fault::Unsupported, say("this build simulates no devices on sim:%1", address.path));
@@ -110,7 +110,7 @@ Result<void> Bench::populate(std::span<const Family *const> families, const std:
     for (std::size_t i = 0; i < faults.size() && !m_simulators.empty(); ++i) {
         if (!known[i])
             return fail(Fault::OutOfRange,
-                say("no device of %1 can have the fault '%2'", m_address.shortName(), faults[i].kind));
+                say("no device of %1 can have the fault '%2'", m_address.shortName(), toString(faults[i].kind)));
     }
     return {};
 }

@@ -166,9 +166,9 @@ void DeviceKnowledge::setCounters(const std::map<std::string, std::int64_t> &val
     m_changed.notify();
 }
 
-void DeviceKnowledge::setVerdict(const std::string &key, std::string verdict)
+void DeviceKnowledge::setVerdict(const std::string &key, DirectionVerdict verdict)
 {
-    m_profile.edit().verdicts[key] = std::move(verdict);
+    m_profile.edit().verdicts[key] = verdict;
     m_changed.notify();
 }
 

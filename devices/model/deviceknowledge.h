@@ -53,7 +53,7 @@ public:
     /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
     [[nodiscard]] Result<void> setDialect(std::string_view key);
     /// Keeps what a check of this device found out, such as "direction"; shown, never relied on.
-    void setVerdict(const std::string &key, std::string verdict);
+    void setVerdict(const std::string &key, DirectionVerdict verdict);
     void setCounter(const std::string &key, std::int64_t value) { setCounters({{key, value}}); }
     /// The same of several that belong together: told, and kept on the disk, once.
     void setCounters(const std::map<std::string, std::int64_t> &values);

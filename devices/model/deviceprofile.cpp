@@ -5,6 +5,7 @@
 #include "files/jsonfields.h"
 #include "files/jsonlines.h"
 #include "files/qttext.h"
+#include "model/axis.h"
 
 #include <QDir>
 #include <QFile>
@@ -14,6 +15,22 @@
 #include <optional>
 
 namespace mb {
+
+QJsonValue toJson(const DirectionVerdict &verdict)
+{
+    return qt(toString(verdict));
+}
+
+/// A word that is not known does no harm: it is not one of agreement.
+bool fromJson(const QJsonValue &json, DirectionVerdict &verdict)
+{
+    verdict = DirectionVerdict::Unknown;
+    for (const auto each : {DirectionVerdict::Agrees, DirectionVerdict::Reversed, DirectionVerdict::NoMotion}) {
+        if (json.toString() == qt(toString(each)))
+            verdict = each;
+    }
+    return json.isString();
+}
 
 template <>
 const JsonFields<DeviceProfile> jsonFields<DeviceProfile>{{"dialect", &DeviceProfile::dialect},
@@ -36,6 +53,22 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
 }
 
 } // namespace
+
+std::string_view toString(DirectionVerdict verdict)
+{
+    switch (verdict) {
+    case DirectionVerdict::Unknown: return "unknown";
+    case DirectionVerdict::Agrees: return "agrees";
+    case DirectionVerdict::Reversed: return "reversed";
+    case DirectionVerdict::NoMotion: return "no motion";
+    }
+    return "";
+}
+
+std::string directionKey(int axis)
+{
+    return axisKey(axis, "direction");
+}
 
 std::string fileNameOf(std::string_view text, std::string_view ending)
 {

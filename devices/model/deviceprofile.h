@@ -11,6 +11,12 @@
 
 namespace mb {
 
+/// What a check of the direction of motor and sensor found out.
+enum class DirectionVerdict { Unknown, Agrees, Reversed, NoMotion }; ///< Unknown: the word of another version
+
+/// Its word in the file.
+[[nodiscard]] std::string_view toString(DirectionVerdict verdict);
+
 /// What this program keeps of one device because the device cannot tell it: what its user knows, and what was last written to
 /// settings that cannot be read back. Keys are those of the family's tables.
 struct DeviceProfile {
@@ -18,9 +24,8 @@ struct DeviceProfile {
     std::map<std::string, double> calibration;   ///< of Family::calibrations; what is missing is unknown
     std::map<std::string, std::int64_t> written; ///< raw values, by parameter key
     std::set<std::string> lost; ///< keys of `written` that a reset has taken from the device since they were written
-    std::map<std::string, std::int64_t> counters; ///< what a family counts over the life of the device
-    std::map<std::string, std::string>
-        verdicts; ///< what a check found out: "direction", "ch1.direction"; for people to see
+    std::map<std::string, std::int64_t> counters;     ///< what a family counts over the life of the device
+    std::map<std::string, DirectionVerdict> verdicts; ///< by directionKey(); for people to see
 
     [[nodiscard]] double calibrated(std::string_view key, double unknown = 0.0) const
     {
@@ -30,6 +35,9 @@ struct DeviceProfile {
     [[nodiscard]] bool isEmpty() const { return *this == DeviceProfile(); }
     friend bool operator==(const DeviceProfile &, const DeviceProfile &) = default;
 };
+
+/// Of an axis from 1 on, 0 where the device has one: "direction", "ch1.direction".
+[[nodiscard]] std::string directionKey(int axis);
 
 /// The name of a file about what this text names: readable, and different for different texts.
 [[nodiscard]] std::string fileNameOf(std::string_view text, std::string_view ending = ".json");

@@ -88,14 +88,13 @@ QString stimulusWords(const tuning::Trial &trial)
 
 QString endingWords(const tuning::Trial &trial)
 {
-    if (trial.reason == "done")
+    if (trial.reason == tuning::EndReason::Done)
         return ReportText::tr("done");
-    if (trial.reason.empty())
+    if (trial.reason == tuning::EndReason::None)
         return ReportText::tr("cut off");
-    if (trial.reason == "interrupted")
+    if (trial.reason == tuning::EndReason::Interrupted)
         return ReportText::tr("interrupted");
-    const std::string_view known = tuning::endingLabel(trial.reason);
-    const std::string label(known.empty() ? trial.reason : known);
+    const std::string label(tuning::endingLabel(trial.reason));
     return ReportText::tr("stopped by the guard “%1”").arg(QCoreApplication::translate("table", label.c_str()));
 }
 

@@ -174,7 +174,7 @@ QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &r
         words << ReportText::tr("gain slot %1").arg(trial.slot);
     words << ReportText::tr("firmware %1").arg(trial.firmware.empty() ? figure(std::nullopt) : qt(trial.firmware));
     html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");
-    QString ending = strong(escaped(endingWords(trial)), trial.reason == "done" ? "ok" : "danger");
+    QString ending = strong(escaped(endingWords(trial)), trial.reason == tuning::EndReason::Done ? "ok" : "danger");
     if (!trial.detail.empty())
         ending += QStringLiteral(": ") + escaped(worded(report.phrase, trial.detail));
     ending += QStringLiteral(" · ")

@@ -20,13 +20,13 @@ using service::Visit;
 QString keyText(const std::string &key, const Family *family)
 {
     const bool volts = !family || findChannel(family->channels, "bus_voltage");
-    if (key == "resistance")
+    if (key == service::figure::resistance)
         return ReportText::tr("Resistance R, Ω");
-    if (key == "friction")
+    if (key == service::figure::friction)
         return volts ? ReportText::tr("Friction, V") : ReportText::tr("Friction, share of duty");
-    if (key == "gain")
+    if (key == service::figure::gain)
         return volts ? ReportText::tr("Gain 1/Ke, counts/s per V") : ReportText::tr("Gain, counts/s at full duty");
-    if (key == "encoder")
+    if (key == service::figure::encoder)
         return ReportText::tr("Encoder counts both ways");
     return escaped(metricWords(key).name);
 }
@@ -39,14 +39,14 @@ QString figureOf(const std::string &key, const std::optional<double> &value)
 
 QString valueText(const TestValue &value)
 {
-    if (value.key == "encoder")
+    if (value.key == service::figure::encoder)
         return value.value.value_or(0.0) != 0.0 ? ReportText::tr("yes") : ReportText::tr("no");
     return figureOf(value.key, value.value);
 }
 
 QString limitsText(const TestValue &value)
 {
-    if (value.key == "encoder" || !value.high)
+    if (value.key == service::figure::encoder || !value.high)
         return {};
     const QString high = figureOf(value.key, value.high);
     return value.low ? figureOf(value.key, value.low) + QStringLiteral(" … ") + high : QStringLiteral("≤ ") + high;
@@ -77,12 +77,12 @@ QString testHtml(const ReportUnit &unit)
     for (const TestValue &value : last.test) {
         const Visit *const earlier = earlierOf(unit, value.key);
         const auto before = earlier ? valueOf(*earlier, value.key) : std::nullopt;
-        QString change = value.key == "encoder" ? QString() : changeText(value.value, before);
+        QString change = value.key == service::figure::encoder ? QString() : changeText(value.value, before);
         if (!change.isEmpty())
             change = ReportText::tr("%1 since %2").arg(change, timeText(earlier->time).left(10));
-        table.add(
-            {keyText(value.key, unit.family), value.passed ? valueText(value) : strong(valueText(value), "danger"),
-                limitsText(value), before && value.key != "encoder" ? figureOf(value.key, before) : QString(), change});
+        table.add({keyText(value.key, unit.family),
+            value.passed ? valueText(value) : strong(valueText(value), "danger"), limitsText(value),
+            before && value.key != service::figure::encoder ? figureOf(value.key, before) : QString(), change});
     }
     return table.isEmpty() ? QString() : table.html();
 }

@@ -40,14 +40,14 @@ Error failureOf(const Trial &trial)
     if (!trial.stopped)
         return {Fault::Unsafe, say("the stop of the self-test was not confirmed: %1", trial.detail),
             say("cut the power if the motor still turns")};
-    if (trial.reason == "interrupted")
+    if (trial.reason == tuning::EndReason::Interrupted)
         return {Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe")};
-    if (trial.reason == toString(tuning::Guard::Link))
+    if (trial.reason == tuning::EndReason::Link)
         return {Fault::LinkLost, say("the unit was not heard during the self-test: %1", trial.detail),
             say("look at the cable and test again")};
-    if (trial.reason.empty())
+    if (trial.reason == tuning::EndReason::None)
         return {Fault::Refused, say("the self-test could not go on: %1", trial.detail)};
-    return {Fault::Unsafe, say("the self-test was ended by the guard '%1': %2", trial.reason, trial.detail),
+    return {Fault::Unsafe, say("the self-test was ended by the guard '%1': %2", toString(trial.reason), trial.detail),
         say("remove the cause, then test again")};
 }
 

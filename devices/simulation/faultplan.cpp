@@ -14,7 +14,7 @@ constexpr double nominalVolts = 12.0;
 
 } // namespace
 
-const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind)
+const SimulatedFault *findFault(std::span<const SimulatedFault> faults, FaultKind kind)
 {
     const auto found = std::ranges::find(faults, kind, &SimulatedFault::kind);
     return found == faults.end() ? nullptr : &*found;
@@ -25,14 +25,14 @@ FaultPlan::FaultPlan(Clock &clock, std::vector<SimulatedFault> faults)
     , m_faults(std::move(faults))
     , m_busOff(clock)
 {
-    at("busoff", [this] { m_busOff.startIn(busOffTime, [] {}); });
+    at(FaultKind::BusOff, [this] { m_busOff.startIn(busOffTime, [] {}); });
 }
 
-const SimulatedFault *FaultPlan::strikes(std::string_view kind, std::uint64_t number) const
+const SimulatedFault *FaultPlan::strikes(FaultKind kind, std::uint64_t number) const
 {
     const auto found = std::ranges::find_if(m_faults, [&](const SimulatedFault &fault) {
         const auto count = static_cast<double>(number);
-        return fault.kind == kind && (count == fault.at || (kind == "silent" && count > fault.at));
+        return fault.kind == kind && (count == fault.at || (kind == FaultKind::Silent && count > fault.at));
     });
     return found == m_faults.end() ? nullptr : &*found;
 }
@@ -40,24 +40,25 @@ const SimulatedFault *FaultPlan::strikes(std::string_view kind, std::uint64_t nu
 FrameFate FaultPlan::sent()
 {
     ++m_sent;
-    FrameFate fate{
-        m_sent, strikes("silent", m_sent) || strikes("drop", m_sent), strikes("corrupt", m_sent) != nullptr, {}};
-    if (const SimulatedFault *late = strikes("delay", m_sent))
+    FrameFate fate{m_sent, strikes(FaultKind::Silent, m_sent) || strikes(FaultKind::Drop, m_sent),
+        strikes(FaultKind::Corrupt, m_sent) != nullptr, {}};
+    if (const SimulatedFault *late = strikes(FaultKind::Delay, m_sent))
         fate.delay = fromSeconds(late->argument / 1000.0);
     return fate;
 }
 
 bool FaultPlan::failsWithPage(int page)
 {
-    const auto fault = std::ranges::find_if(m_faults,
-        [page](const SimulatedFault &f) { return f.kind == "power-page" && f.at == static_cast<double>(page); });
+    const auto fault = std::ranges::find_if(m_faults, [page](const SimulatedFault &f) {
+        return f.kind == FaultKind::PowerPage && f.at == static_cast<double>(page);
+    });
     if (fault == m_faults.end())
         return false;
     m_faults.erase(fault);
     return true;
 }
 
-void FaultPlan::after(std::string_view kind, Duration later, const std::function<void()> &work)
+void FaultPlan::after(FaultKind kind, Duration later, const std::function<void()> &work)
 {
     for (const SimulatedFault &fault : m_faults) {
         if (fault.kind == kind)
@@ -67,8 +68,8 @@ void FaultPlan::after(std::string_view kind, Duration later, const std::function
 
 void FaultPlan::sag(const std::function<void(double volts)> &setVoltage)
 {
-    at("brownout", [setVoltage] { setVoltage(brownoutVolts); });
-    after("brownout", brownoutTime, [setVoltage] { setVoltage(nominalVolts); });
+    at(FaultKind::Brownout, [setVoltage] { setVoltage(brownoutVolts); });
+    after(FaultKind::Brownout, brownoutTime, [setVoltage] { setVoltage(nominalVolts); });
 }
 
 } // namespace mb

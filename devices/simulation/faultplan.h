@@ -14,7 +14,7 @@
 namespace mb {
 
 /// nullptr: the unit has no such fault.
-[[nodiscard]] const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind);
+[[nodiscard]] const SimulatedFault *findFault(std::span<const SimulatedFault> faults, FaultKind kind);
 
 /// What becomes of a frame that a simulated unit sends.
 struct FrameFate {
@@ -31,24 +31,24 @@ public:
 
     FaultPlan(Clock &clock, std::vector<SimulatedFault> faults);
 
-    [[nodiscard]] bool has(std::string_view kind) const { return findFault(m_faults, kind) != nullptr; }
+    [[nodiscard]] bool has(FaultKind kind) const { return findFault(m_faults, kind) != nullptr; }
     /// One more frame is sent.
     [[nodiscard]] FrameFate sent();
     /// One more frame was for this unit; whether the supply goes with it.
-    [[nodiscard]] bool failsWithFrame() { return strikes("power", ++m_heard) != nullptr; }
+    [[nodiscard]] bool failsWithFrame() { return strikes(FaultKind::Power, ++m_heard) != nullptr; }
     /// This page, or line, of firmware is being written; whether the supply goes with it. Once.
     [[nodiscard]] bool failsWithPage(int page);
     /// For a while nothing is heard and nothing sent.
     [[nodiscard]] bool isBusOff() const { return m_busOff.isActive(); }
 
     /// Runs `work` at each fault of this kind, or so much later.
-    void at(std::string_view kind, const std::function<void()> &work) { after(kind, {}, work); }
-    void after(std::string_view kind, Duration later, const std::function<void()> &work);
+    void at(FaultKind kind, const std::function<void()> &work) { after(kind, {}, work); }
+    void after(FaultKind kind, Duration later, const std::function<void()> &work);
     /// A brownout takes the supply down to 5 V and back to 12 V.
     void sag(const std::function<void(double volts)> &setVoltage);
 
 private:
-    [[nodiscard]] const SimulatedFault *strikes(std::string_view kind, std::uint64_t number) const;
+    [[nodiscard]] const SimulatedFault *strikes(FaultKind kind, std::uint64_t number) const;
 
     Clock &m_clock;
     std::vector<SimulatedFault> m_faults;

@@ -13,7 +13,8 @@ namespace {
 enum class Needs { Nothing, Seconds, Page, Frame, FrameAndTime };
 
 struct FaultForm {
-    std::string_view kind;
+    FaultKind kind;
+    std::string_view word;
     Needs needs;
 };
 
@@ -21,23 +22,23 @@ struct FaultForm {
 std::string textOf(const FaultForm &row)
 {
     constexpr std::array<std::string_view, 5> numbers{"", "@S", "@P", "@N", "@N:MS"}; // by Needs
-    return std::string(row.kind) + std::string(numbers.at(static_cast<std::size_t>(row.needs)));
+    return std::string(row.word) + std::string(numbers.at(static_cast<std::size_t>(row.needs)));
 }
 
 constexpr std::array faultRows{
-    FaultForm{"drop", Needs::Frame},
-    FaultForm{"corrupt", Needs::Frame},
-    FaultForm{"delay", Needs::FrameAndTime},
-    FaultForm{"silent", Needs::Frame},
-    FaultForm{"power", Needs::Frame},
-    FaultForm{"power-page", Needs::Page},
-    FaultForm{"reset", Needs::Seconds},
-    FaultForm{"busoff", Needs::Seconds},
-    FaultForm{"encoder-dead", Needs::Seconds},
-    FaultForm{"encoder-reversed", Needs::Nothing},
-    FaultForm{"brownout", Needs::Seconds},
-    FaultForm{"stall", Needs::Seconds},
-    FaultForm{"duplicate", Needs::Nothing},
+    FaultForm{FaultKind::Drop, "drop", Needs::Frame},
+    FaultForm{FaultKind::Corrupt, "corrupt", Needs::Frame},
+    FaultForm{FaultKind::Delay, "delay", Needs::FrameAndTime},
+    FaultForm{FaultKind::Silent, "silent", Needs::Frame},
+    FaultForm{FaultKind::Power, "power", Needs::Frame},
+    FaultForm{FaultKind::PowerPage, "power-page", Needs::Page},
+    FaultForm{FaultKind::Reset, "reset", Needs::Seconds},
+    FaultForm{FaultKind::BusOff, "busoff", Needs::Seconds},
+    FaultForm{FaultKind::EncoderDead, "encoder-dead", Needs::Seconds},
+    FaultForm{FaultKind::EncoderReversed, "encoder-reversed", Needs::Nothing},
+    FaultForm{FaultKind::Brownout, "brownout", Needs::Seconds},
+    FaultForm{FaultKind::Stall, "stall", Needs::Seconds},
+    FaultForm{FaultKind::Duplicate, "duplicate", Needs::Nothing},
 };
 
 bool parseNumber(std::string_view text, double &out)
@@ -60,18 +61,24 @@ bool isPossible(double at, Needs needs)
 
 } // namespace
 
+std::string_view toString(FaultKind kind)
+{
+    return std::ranges::find(faultRows, kind, &FaultForm::kind)->word;
+}
+
 Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
 {
     const auto at = text.find('@');
     SimulatedFault fault;
-    fault.kind = text.substr(0, at);
-    const auto row = std::ranges::find(faultRows, fault.kind, &FaultForm::kind);
+    const std::string_view word = text.substr(0, at);
+    const auto *const row = std::ranges::find(faultRows, word, &FaultForm::word);
     if (row == faultRows.end()) {
         std::string known;
         for (const FaultForm &each : faultRows)
             known += (known.empty() ? "" : ", ") + textOf(each);
-        return fail(Fault::OutOfRange, say("unknown fault '%1'", fault.kind), say("legal is %1", known));
+        return fail(Fault::OutOfRange, say("unknown fault '%1'", word), say("legal is %1", known));
     }
+    fault.kind = row->kind;
     const auto bad = [text, row] {
         return fail(Fault::OutOfRange, say("fault '%1' does not parse", text), say("legal is %1", textOf(*row)));
     };

@@ -15,10 +15,29 @@
 
 namespace mb {
 
+/// What can be made to go wrong with a simulated unit or link.
+enum class FaultKind {
+    Drop,
+    Corrupt,
+    Delay,
+    Silent,
+    Power,
+    PowerPage,
+    Reset,
+    BusOff,
+    EncoderDead,
+    EncoderReversed,
+    Brownout,
+    Stall,
+    Duplicate
+};
+
+/// Its word in the notation.
+[[nodiscard]] std::string_view toString(FaultKind kind);
+
 /// A fault on demand, docs/names.md#simulated-faults: `drop@3`, `delay@7:50`, `encoder-reversed`.
 struct SimulatedFault {
-    std::string
-        kind; ///< drop corrupt delay silent power power-page reset busoff encoder-dead encoder-reversed brownout stall duplicate
+    FaultKind kind = FaultKind::Drop;
     double at = 0.0;       ///< frame number from 1, page, or seconds after the start, by kind
     double argument = 0.0; ///< milliseconds of `delay`
 

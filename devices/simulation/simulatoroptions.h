@@ -20,8 +20,9 @@ template <class Options> struct SimulatorOption {
 };
 
 /// Faults that every unit can have.
-constexpr std::array<std::string_view, 10> commonFaults{
-    "drop", "corrupt", "delay", "silent", "power", "reset", "encoder-dead", "encoder-reversed", "brownout", "stall"};
+constexpr std::array commonFaults{FaultKind::Drop, FaultKind::Corrupt, FaultKind::Delay, FaultKind::Silent,
+    FaultKind::Power, FaultKind::Reset, FaultKind::EncoderDead, FaultKind::EncoderReversed, FaultKind::Brownout,
+    FaultKind::Stall};
 
 [[nodiscard]] inline Message whereOptionsStand()
 {
@@ -32,8 +33,7 @@ constexpr std::array<std::string_view, 10> commonFaults{
 /// Unsupported for a fault that is neither common nor in `ownFaults`; `what` is "a simulated …".
 template <class Options, std::size_t N>
 [[nodiscard]] Result<void> takeOptions(const SimulatedUnit &unit, const Message &what,
-    const std::array<SimulatorOption<Options>, N> &table, std::initializer_list<std::string_view> ownFaults,
-    Options &options)
+    const std::array<SimulatorOption<Options>, N> &table, std::initializer_list<FaultKind> ownFaults, Options &options)
 {
     options.seed = unit.seed;
     options.faults = unit.faults;
@@ -46,12 +46,11 @@ template <class Options, std::size_t N>
             return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what),
                 whereOptionsStand());
     }
-    const auto isIn
-        = [](const auto &kinds, const std::string &kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
+    const auto isIn = [](const auto &kinds, FaultKind kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
     for (const SimulatedFault &fault : unit.faults) {
         if (!isIn(commonFaults, fault.kind) && !isIn(ownFaults, fault.kind))
-            return fail(
-                Fault::Unsupported, say("%1 has no option '%2'", what, "fault=" + fault.kind), whereOptionsStand());
+            return fail(Fault::Unsupported,
+                say("%1 has no option '%2'", what, "fault=" + std::string(toString(fault.kind))), whereOptionsStand());
     }
     return {};
 }

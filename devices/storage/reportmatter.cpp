@@ -46,7 +46,7 @@ std::vector<KeptTrial> newestSweep(const std::vector<KeptTrial> &history, const 
     for (const KeptTrial &kept : history) {
         const tuning::Stimulus &stimulus = kept.trial.stimulus;
         const bool isSine = kept.trial.mode == Mode::Duty && stimulus.profile == tuning::Profile::Sine
-            && kept.trial.reason == "done" && (asked.empty() || isIn(asked, kept.number));
+            && kept.trial.reason == tuning::EndReason::Done && (asked.empty() || isIn(asked, kept.number));
         if (!isSine)
             continue;
         const bool goesOn = !sines.empty() && stimulus.period < sines.back().trial.stimulus.period
@@ -111,7 +111,7 @@ std::vector<KeptTrial> shownTrials(const ReportUnit &unit, const ReportWish &wis
     for (const KeptTrial &kept : unit.history) {
         const bool told = std::ranges::any_of(
             unit.tunings, [&](const KeptTuning &tuned) { return isPartOf(kept.number, tuned.report); });
-        if (asked.empty() ? !told && kept.trial.reason == "done" && kept.trial.mode != Mode::Duty
+        if (asked.empty() ? !told && kept.trial.reason == tuning::EndReason::Done && kept.trial.mode != Mode::Duty
                           : isIn(asked, kept.number) && !(wish.tuningsOnly && told))
             full.push_back(kept);
     }

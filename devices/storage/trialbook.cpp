@@ -67,7 +67,7 @@ KeptTrial trialOf(const QSqlQuery &row)
     fromJson(parsed(row.value(11)).object(), trial.gains);
     readMetrics(parsed(row.value(12)).object(), trial);
     fromJson(parsed(row.value(13)).array(), trial.flags);
-    trial.reason = textAt(row, 14);
+    trial.reason = tuning::endReasonFrom(textAt(row, 14));
     trial.detail = messageFrom(textAt(row, 15));
     trial.stopped = row.value(16).toBool();
     trial.samples = row.value(17).toULongLong();
@@ -186,7 +186,8 @@ Task<void> TrialBook::settle(std::int64_t trial)
 Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
 {
     co_return m_database.transact([&]() -> Result<void> {
-        const QVariant reason = trial.reason.empty() ? QVariant(QVariant::String) : QVariant(qt(trial.reason));
+        const QVariant reason = trial.reason == tuning::EndReason::None ? QVariant(QVariant::String)
+                                                                        : QVariant(qt(toString(trial.reason)));
         auto changed = changeOne(number,
             "UPDATE trial SET stimulus = ?, gains = ?, metrics = ?, flags = ?, reason = ?, detail = ?, stopped = ?, "
             "samples = ?, "

@@ -62,8 +62,8 @@ std::string rowOf(const KeptTrial &kept)
     for (const tuning::MetricKey &key : tuning::metricKeys())
         cells.push_back(t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : "");
     cells.insert(cells.end(),
-        {flagsOf(t), t.reason, truth(t.stopped), std::to_string(t.samples), std::to_string(t.lost), truth(kept.star),
-            kept.note, gainsOf(t)});
+        {flagsOf(t), std::string(toString(t.reason)), truth(t.stopped), std::to_string(t.samples),
+            std::to_string(t.lost), truth(kept.star), kept.note, gainsOf(t)});
     return csvRow(cells);
 }
 

@@ -82,7 +82,7 @@ QJsonObject toJson(const Trial &trial, std::optional<std::int64_t> number)
         {QStringLiteral("gains"), toJson(trial.gains)},
         {QStringLiteral("metrics"), metricsToJson(trial)},
         {QStringLiteral("flags"), toJson(trial.flags)},
-        {QStringLiteral("reason"), textOrNull(trial.reason)},
+        {QStringLiteral("reason"), textOrNull(toString(trial.reason))},
         {QStringLiteral("stopped"), trial.stopped},
         {QStringLiteral("samples"), static_cast<qint64>(trial.samples)},
         {QStringLiteral("lost"), static_cast<qint64>(trial.lost)},

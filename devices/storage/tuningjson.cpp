@@ -170,9 +170,21 @@ const JsonFields<Proposal> jsonFields<Proposal>{{"aim", &Proposal::aim, {Aim::Ca
 template <>
 const JsonFields<Gate> jsonFields<Gate>{{"gate", &Gate::name}, {"passed", &Gate::passed}, {"detail", &Gate::detail},
     {"remedy", &Gate::remedy}, {"warns", &Gate::warns}};
+QJsonValue stopReasonToJson(const TuneReport &report)
+{
+    return qt(toString(report.stopReason));
+}
+
+bool readStopReason(const QJsonValue &json, TuneReport &report)
+{
+    if (json.isString())
+        report.stopReason = endReasonFrom(json.toString().toStdString());
+    return json.isString();
+}
+
 template <>
 const JsonFields<TuneReport> jsonFields<TuneReport>{{"seconds", &TuneReport::seconds},
-    {"stopped", &TuneReport::stopped}, {"stop_reason", &TuneReport::stopReason}, {"motor", &TuneReport::motor},
+    {"stopped", &TuneReport::stopped}, {"stop_reason", stopReasonToJson, readStopReason}, {"motor", &TuneReport::motor},
     {"plant", &TuneReport::plant}, {"gates", &TuneReport::gates}, {"proposals", &TuneReport::proposals},
     {"proposed", &TuneReport::proposed}, {"measured", &TuneReport::measured}, {"trials", &TuneReport::trials},
     {"not_put_back", &TuneReport::notPutBack, ifSet}, {"scale", &TuneReport::scale, ifSet},

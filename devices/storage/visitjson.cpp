@@ -6,6 +6,7 @@
 #include "files/jsonfields.h"
 #include "files/qttext.h"
 #include "model/parameter.h"
+#include "service/recipe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ QJsonObject testLine(const Visit &visit)
 {
     QJsonObject object;
     for (const TestValue &value : visit.test) {
-        if (value.key == "encoder")
+        if (value.key == service::figure::encoder)
             object.insert(qt(value.key), value.value.value_or(0.0) != 0.0);
         else
             object.insert(qt(value.key), toJson(value.value));

@@ -43,13 +43,29 @@ Message describe(const CanInterface &interface)
 
 } // namespace
 
+std::string_view toString(ListingState state)
+{
+    switch (state) {
+    case ListingState::Up: return "up";
+    case ListingState::Down: return "down";
+    case ListingState::BusOff: return "bus-off";
+    case ListingState::NoPermission: return "no-permission";
+    case ListingState::Absent: return "absent";
+    case ListingState::Available: return "available";
+    case ListingState::Open: return "open";
+    case ListingState::Lost: return "lost";
+    }
+    return "";
+}
+
 LinkListing listed(const CanInterface &interface)
 {
-    LinkListing row{{"socketcan", interface.name, {}}, LinkKind::Can, "up", describe(interface), true, {}, false};
+    LinkListing row{
+        {"socketcan", interface.name, {}}, LinkKind::Can, ListingState::Up, describe(interface), true, {}, false};
     row.listenable = interface.canListenOnly;
     row.diagnosis = diagnose(interface);
     if (!row.diagnosis.isHealthy()) {
-        row.state = row.diagnosis.ailment == Ailment::BusOff ? "bus-off" : "down";
+        row.state = row.diagnosis.ailment == Ailment::BusOff ? ListingState::BusOff : ListingState::Down;
         row.detail = row.diagnosis.message();
         row.openable = false;
     }
@@ -60,7 +76,8 @@ namespace {
 
 LinkListing absentCan(const Diagnosis &cause)
 {
-    const char *state = cause.ailment == Ailment::NoPermission ? "no-permission" : "absent";
+    const ListingState state
+        = cause.ailment == Ailment::NoPermission ? ListingState::NoPermission : ListingState::Absent;
     return {{"socketcan", {}, {}}, LinkKind::Can, state, cause.message(), false, cause, false};
 }
 
@@ -81,9 +98,9 @@ void listCan(std::vector<LinkListing> &rows)
 
 LinkListing listedSpi(const std::string &path)
 {
-    LinkListing row{{"spidev", path, {}}, LinkKind::Spi, "available", {}, true, {}, false};
+    LinkListing row{{"spidev", path, {}}, LinkKind::Spi, ListingState::Available, {}, true, {}, false};
     if (::access(path.c_str(), R_OK | W_OK) != 0) {
-        row.state = "no-permission";
+        row.state = ListingState::NoPermission;
         row.diagnosis = {Ailment::NoPermission, say("no permission to use %1", path),
             say("become a member of its group"), "sudo usermod -aG spi $USER"};
         row.detail = row.diagnosis.message();
@@ -95,9 +112,10 @@ LinkListing listedSpi(const std::string &path)
 void listSerial(std::vector<LinkListing> &rows)
 {
     for (const SerialPort &port : serialPorts()) {
-        rows.push_back({{"serial", port.path, {}}, LinkKind::Serial, "available", port.description, true, {}, false});
+        rows.push_back(
+            {{"serial", port.path, {}}, LinkKind::Serial, ListingState::Available, port.description, true, {}, false});
         if (auto cause = whyUnusable(port.path, port.path)) {
-            rows.back().state = "no-permission";
+            rows.back().state = ListingState::NoPermission;
             rows.back().detail = cause->message();
             rows.back().diagnosis = std::move(*cause);
             rows.back().openable = false;
@@ -127,10 +145,11 @@ std::vector<LinkListing> listPluginLinks()
 {
     std::vector<LinkListing> rows;
     for (const QtCanAdapter &adapter : qtCanAdapters()) {
-        LinkListing row{{"qtcan", adapter.path, {}}, LinkKind::Can, "available", adapter.description, true, {}, false};
+        LinkListing row{
+            {"qtcan", adapter.path, {}}, LinkKind::Can, ListingState::Available, adapter.description, true, {}, false};
         if (!adapter.missing.empty()) {
             row.diagnosis = {Ailment::NotThere, adapter.missing, adapter.remedy, {}};
-            row.state = "absent";
+            row.state = ListingState::Absent;
             row.detail = row.diagnosis.message();
             row.openable = false;
         }

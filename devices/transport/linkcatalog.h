@@ -6,19 +6,25 @@
 #include "transport/linkdoctor.h"
 
 #include <memory>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace mb {
 
 struct CanInterface;
 
+/// What a row of the listing says of its link at a glance.
+enum class ListingState { Up, Down, BusOff, NoPermission, Absent, Available, Open, Lost };
+
+/// Its word in JSON and tables.
+[[nodiscard]] std::string_view toString(ListingState state);
+
 /// One row of "which links are there". Listing opens nothing: opening a serial port can reset hardware.
 struct LinkListing {
     LinkAddress link; ///< without a path where it stands for "none of this kind"
     LinkKind kind = LinkKind::Can;
-    std::string state; ///< "up", "down", "bus-off", "no-permission", "absent", "available"
-    Message detail;    ///< what it is, or why it cannot be opened and what helps, in one clause
+    ListingState state = ListingState::Absent;
+    Message detail; ///< what it is, or why it cannot be opened and what helps, in one clause
     bool openable = false;
     Diagnosis diagnosis{};   ///< of one that is not openable; `detail` is its text
     bool listenable = false; ///< a CAN controller that can listen without disturbing the bus

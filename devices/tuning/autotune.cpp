@@ -74,8 +74,8 @@ Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
     co_await proof.prove();
     const TuneReport &report = run.report();
-    const bool isLossy = report.stopReason == toString(Guard::Link) && report.stopped && run.device().liveness().heard;
-    if (isLossy || report.stopReason == toString(Guard::Oscillation)) {
+    const bool isLossy = report.stopReason == EndReason::Link && report.stopped && run.device().liveness().heard;
+    if (isLossy || report.stopReason == EndReason::Oscillation) {
         run.forgive(); // what was proven before did not swing, and the wire let it through
         run.report().result = TuneResult::RolledBack;
     }
@@ -189,15 +189,14 @@ bool isLost(const Device &device, const Error &error)
 }
 
 /// What came between two experiments, and ends one where it comes in it; empty: nothing did.
-std::string_view endBetween(Device &device, const Error &error)
+EndReason endBetween(Device &device, const Error &error)
 {
-    using End = SetPointStream::End;
     if (error.fault != Fault::Unsafe)
-        return {};
-    return device.liveness().foreignMaster ? toString(End::ForeignMaster)
-        : device.liveness().restarted      ? toString(End::DeviceRestarted)
-        : device.guard().possible()        ? std::string_view()
-                                           : toString(End::Unguarded);
+        return EndReason::None;
+    return device.liveness().foreignMaster ? EndReason::ForeignMaster
+        : device.liveness().restarted      ? EndReason::DeviceRestarted
+        : device.guard().possible()        ? EndReason::None
+                                           : EndReason::Unguarded;
 }
 
 /// Of a tuning that has moved its motor, or that the user has stopped before.
@@ -209,14 +208,14 @@ void takeError(AutotuneRun &run, const Error &error)
     if (run.isOver())
         return;
     if (isLost(run.device(), error)) {
-        run.end(toString(Guard::Link), error.message());
+        run.end(EndReason::Link, error.message());
     } else if (run.user().isRequested()) {
-        run.end("interrupted", error.message());
-    } else if (const std::string_view reason = endBetween(run.device(), error); !reason.empty()) {
+        run.end(EndReason::Interrupted, error.message());
+    } else if (const EndReason reason = endBetween(run.device(), error); reason != EndReason::None) {
         run.end(reason, error.message());
         report.stopped = run.device().isSeenStopped();
     } else if (!report.stopped) {
-        run.end("unconfirmed", error.message());
+        run.end(EndReason::Unconfirmed, error.message());
     }
 }
 

@@ -74,14 +74,14 @@ Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
 /// Nothing follows a trial that could not begin, whose motor may still turn, or whose gains are still in force.
 Result<void> AutotuneRun::judgeEnding(const Trial &trial)
 {
-    if (trial.reason.empty())
+    if (trial.reason == EndReason::None)
         return fail(Fault::Refused, trial.detail);
-    if (trial.reason != "done") {
+    if (trial.reason != EndReason::Done) {
         m_report.stopReason = trial.reason;
         m_report.evidence = trial.detail;
     }
-    if (!m_report.stopped && m_report.stopReason.empty() && !m_device.liveness().heard) {
-        m_report.stopReason = "link";
+    if (!m_report.stopped && m_report.stopReason == EndReason::None && !m_device.liveness().heard) {
+        m_report.stopReason = EndReason::Link;
         m_report.evidence = say("the device is not heard any more");
     }
     if (!m_report.stopped)
@@ -99,7 +99,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
     for (int again = 0;; ++again) {
         const double before = m_here;
         Trial trial = co_await runOnce(plan);
-        const bool lossy = trial.reason == toString(Guard::Link) && m_report.stopped && m_device.liveness().heard;
+        const bool lossy = trial.reason == EndReason::Link && m_report.stopped && m_device.liveness().heard;
         if (!lossy || again == mostRepeats)
             co_return trial;
         note(say("the wire lost too many frames; the same again"));
@@ -136,7 +136,7 @@ Task<Trial> AutotuneRun::push(Push push)
     return run(std::move(plan));
 }
 
-void AutotuneRun::end(std::string_view reason, Message evidence)
+void AutotuneRun::end(EndReason reason, Message evidence)
 {
     m_report.stopReason = reason;
     m_report.evidence = std::move(evidence);

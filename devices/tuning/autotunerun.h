@@ -38,8 +38,8 @@ public:
     [[nodiscard]] Task<void> readEnvelope();
     /// Refused with the gate that it did not pass.
     [[nodiscard]] Result<void> take(Finding finding);
-    /// Ends the tuning for this reason: a guard's name, "link", "interrupted".
-    void end(std::string_view reason, Message evidence);
+    /// Ends the tuning for this reason.
+    void end(EndReason reason, Message evidence);
     /// Something else than run() moves the motor now; lookWhere() afterwards.
     void setMoved() { m_moved = true; }
     /// ExperimentSurroundings::before, for what moves the motor so.
@@ -53,7 +53,7 @@ public:
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive()
     {
-        m_report.stopReason.clear();
+        m_report.stopReason = EndReason::None;
         m_report.evidence = {};
     }
     void note(const Message &text) const;
@@ -65,7 +65,7 @@ public:
     void expect(double gain) { m_gain = gain; }
 
     /// A guard, the user or a link has ended it.
-    [[nodiscard]] bool isOver() const { return !m_report.stopReason.empty(); }
+    [[nodiscard]] bool isOver() const { return m_report.stopReason != EndReason::None; }
     [[nodiscard]] bool hasMoved() const { return m_moved; }
     [[nodiscard]] TuneReport &report() { return m_report; }
     [[nodiscard]] const TuneReport &report() const { return m_report; }

@@ -59,7 +59,7 @@ Task<void> tryForce(AutotuneRun &run, ExperimentPlan plan)
 {
     for (int again = 0;; ++again) {
         const Trial ran = co_await run.run(plan);
-        const bool hasBegun = ran.reason == "done" || !ran.holds.empty();
+        const bool hasBegun = ran.reason == EndReason::Done || !ran.holds.empty();
         if (hasBegun || again == mostAgain || !isLossy(run))
             co_return {};
         run.forgive();
@@ -84,7 +84,7 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
         auto trying = tryForce(run, rawStep(run, {p, 0.0}, -nudge, shortHold));
         co_await std::move(trying);
         first.push = p * nudge;
-        const bool isHeld = run.report().stopReason == toString(Guard::NoMotion) && !hasGone(run);
+        const bool isHeld = run.report().stopReason == EndReason::NoMotion && !hasGone(run);
         const bool isTurning = isHeld && hasFallen(drawn);
         if (isHeld || first.current == 0.0)
             first.current = drawing.ofOne(first.push, drawn.most());
@@ -92,11 +92,11 @@ Task<FirstMotion> findFirstMotion(AutotuneRun &run, double storedP)
         if (!isHeld || isTurning || isStrongest) // a dead sensor is not asked with more and more force
             break;
     }
-    const std::string &ending = run.report().stopReason;
-    if (ending == toString(Guard::NoMotion) && !hasGone(run))
+    const EndReason ending = run.report().stopReason;
+    if (ending == EndReason::NoMotion && !hasGone(run))
         run.report().evidence
             = joined(run.report().evidence, say("where it is neither, its gain.p is too small for so short a way"));
-    else if (ending == toString(Guard::NoMotion) || ending == toString(Guard::Oscillation))
+    else if (ending == EndReason::NoMotion || ending == EndReason::Oscillation)
         run.forgive(); // these gains are not for keeping
     co_return first;
 }

@@ -190,18 +190,19 @@ Task<FrequencyResponse> measureFrequencyResponse(
         if (!trial && response.trials.empty())
             co_return fail(trial.error());
         if (!trial) {
-            response.stopReason = toString(SetPointStream::End::Refused);
+            response.stopReason = EndReason::Refused;
             response.evidence = trial.error().message();
             co_return response;
         }
         if (trial->number)
             response.trials.push_back(*trial->number);
         response.stopped = trial->stopped || device.isSeenStopped();
-        if (trial->reason != "done" || !response.stopped) {
-            const bool isNamed = !trial->reason.empty() && trial->reason != "done";
-            response.stopReason = isNamed ? trial->reason : toString(SetPointStream::End::Refused);
-            response.evidence
-                = trial->reason != "done" ? trial->detail : say("the stop was not confirmed by %1", device.selector());
+        if (trial->reason != EndReason::Done || !response.stopped) {
+            const bool isNamed = trial->reason != EndReason::None && trial->reason != EndReason::Done;
+            response.stopReason = isNamed ? trial->reason : EndReason::Refused;
+            response.evidence = trial->reason != EndReason::Done
+                ? trial->detail
+                : say("the stop was not confirmed by %1", device.selector());
             co_return response;
         }
         if (const auto point = frequencyPoint(*trial, plant.tau))

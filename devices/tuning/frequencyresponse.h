@@ -42,9 +42,9 @@ struct SweepPlan {
 
 struct FrequencyResponse {
     std::vector<FrequencyPoint> points;
-    std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty: none
-    Message evidence;       ///< one sentence for people
-    bool stopped = true;    ///< the motor was seen stopped
+    EndReason stopReason = EndReason::None; ///< of the trial that cut it short
+    Message evidence;                       ///< one sentence for people
+    bool stopped = true;                    ///< the motor was seen stopped
     bool simulated = false;
     std::vector<std::int64_t> trials; ///< numbers in the notebook
 

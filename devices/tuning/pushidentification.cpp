@@ -131,12 +131,11 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
         auto pushing = run.push({m_probed, probeSeconds, 1, reachOf(run)});
         trial = co_await std::move(pushing);
         most = std::min(most, trial.envelope.duty.value_or(1.0));
-        const bool stuck
-            = run.report().stopReason == toString(Guard::NoMotion) || (!run.isOver() && pushesOf(trial).empty());
+        const bool stuck = run.report().stopReason == EndReason::NoMotion || (!run.isOver() && pushesOf(trial).empty());
         if (!stuck)
             break;
         if (duty >= most) {
-            run.end(toString(Guard::NoMotion),
+            run.end(EndReason::NoMotion,
                 joined(
                     say("the motor did not turn at up to %1 duty: stalled, or the encoder is dead", percentText(most)),
                     trial.has(flag::limitSwitch) ? say("a limit switch was met") : Message()));
@@ -167,7 +166,7 @@ Task<void> PushIdentification::feelSpeed(AutotuneRun &run, double allowed)
     for (double duty = firstTouch; duty < most; duty *= harderTouch) {
         auto touching = run.push({duty, touchSeconds, 1, reachOf(run), {}, touchedShare * allowed});
         const Trial trial = co_await std::move(touching);
-        const bool tooQuick = run.report().stopReason == toString(Guard::Speed);
+        const bool tooQuick = run.report().stopReason == EndReason::Speed;
         if (run.isOver() && !tooQuick)
             co_return {};
         const std::vector<PushRecord> seen = pushesOf(trial);

@@ -107,11 +107,11 @@ Task<void> findScales(AutotuneRun &run)
     run.lookWhere();
     trip = trip ? trip : recorder.trip();
     if (trip)
-        run.end(toString(trip->guard), trip->detail);
+        run.end(trip->guard, trip->detail);
     else if (run.user().isRequested())
-        run.end("interrupted", say("the user stopped it"));
+        run.end(EndReason::Interrupted, say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)
-        run.end(toString(Guard::Link), found.error().detail);
+        run.end(EndReason::Link, found.error().detail);
     else if (!found)
         co_return fail(found.error());
     co_return {};

@@ -228,7 +228,7 @@ Task<void> TuneProof::prove()
         report.proof.push_back(co_await std::move(running));
         m_heat = heatAfter(
             {report.proposed.made, report.predicted->shape, {report.proof.back()}, 0.0, false, m_heat}, report.plant);
-        if (report.stopReason == toString(Guard::Oscillation))
+        if (report.stopReason == EndReason::Oscillation)
             report.evidence = withDerivative(report.evidence);
         if (m_run.isOver())
             co_return {};

@@ -63,14 +63,14 @@ struct TuneReport {
     ScaledGains proposed;
     std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter
     std::optional<Margins> margins;
-    std::optional<Prediction> predicted;  ///< of a step of `step`
-    double step = 0.0;                    ///< in the unit of the loop
-    std::optional<ProfileLimits> profile; ///< as Proposal
-    std::vector<Trial> proof;             ///< one a direction
-    double heat = 0.0;                    ///< in the winding before the first of them (windingheat.h)
-    Metrics measured;                     ///< the worse of both
-    std::string stopReason;               ///< what ended it, as endingLabel() knows it; empty: its own end
-    bool stopped = true;                  ///< the motor was seen stopped
+    std::optional<Prediction> predicted;    ///< of a step of `step`
+    double step = 0.0;                      ///< in the unit of the loop
+    std::optional<ProfileLimits> profile;   ///< as Proposal
+    std::vector<Trial> proof;               ///< one a direction
+    double heat = 0.0;                      ///< in the winding before the first of them (windingheat.h)
+    Metrics measured;                       ///< the worse of both
+    EndReason stopReason = EndReason::None; ///< None: its own end
+    bool stopped = true;                    ///< the motor was seen stopped
     Message notPutBack; ///< why something else than before, and than was kept, is in force; empty: nothing is
     double seconds = 0.0;
     std::vector<std::int64_t> trials; ///< numbers in the notebook

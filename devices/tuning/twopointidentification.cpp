@@ -144,13 +144,13 @@ Task<void> TwoPointIdentification::begin(AutotuneRun &run)
         auto running = run.run(more > 1.0 ? rawStep(run, point, std::min(step, roomOf(run)), m_seconds)
                                           : asItIs(run, std::min(step, roomOf(run)), m_seconds));
         (void)co_await std::move(running);
-        if (run.report().stopReason != toString(Guard::NoMotion))
+        if (run.report().stopReason != EndReason::NoMotion)
             break;
     }
-    if (run.report().stopReason == toString(Guard::NoMotion))
+    if (run.report().stopReason == EndReason::NoMotion)
         run.report().evidence
             = joined(run.report().evidence, say("where it is neither, its gain.p is too small for so short a way"));
-    if (run.report().stopReason == toString(Guard::Oscillation))
+    if (run.report().stopReason == EndReason::Oscillation)
         run.forgive(); // the gains that swing are what is to be replaced
     co_return {};
 }
@@ -161,10 +161,10 @@ Task<void> TwoPointIdentification::step(AutotuneRun &run, RawGains gains, double
     ExperimentPlan plan = rawStep(run, gains, counts, m_seconds);
     leadByProfile(run, m_steps.rate, plan);
     Trial trial = co_await run.run(std::move(plan));
-    m_swung = run.report().stopReason == toString(Guard::Oscillation);
+    m_swung = run.report().stopReason == EndReason::Oscillation;
     if (m_swung)
         run.forgive();
-    if (run.report().stopReason == toString(Guard::NoMotion) && hasGone(run)) {
+    if (run.report().stopReason == EndReason::NoMotion && hasGone(run)) {
         run.forgive();
         co_return fail(Fault::Refused, say("friction takes more than half of what P makes of a step"),
             say("allow more travel, duty or current"));
@@ -199,7 +199,7 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         }
         const auto fit = m_seen.steps.empty() ? std::nullopt : fitStep(m_seen.steps.front());
         if (!fit) {
-            run.end(toString(Guard::NoMotion), say("the motor did not follow a step: stalled, or the encoder is dead"));
+            run.end(EndReason::NoMotion, say("the motor did not follow a step: stalled, or the encoder is dead"));
             co_return {};
         }
         m_seconds = std::clamp(swings / (std::min(fit->zeta, 1.0) * fit->omega), 0.5, 1.5);

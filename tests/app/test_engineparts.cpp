@@ -379,12 +379,12 @@ TEST_F(EngineParts, WhatADeviceIsAndHoldsIsOneObjectForAllPicturesUntilItChanges
     EXPECT_TRUE(now.device(id(5))->profile.isSameAs(first.device(id(5))->profile));
     EXPECT_TRUE(now.device(id(7))->parameters.isSameAs(first.device(id(7))->parameters)) << "of another device";
 
-    written.knowledge().setVerdict("direction", "same");
+    written.knowledge().setVerdict("direction", DirectionVerdict::Reversed);
     Identity renamed = written.identity();
     renamed.name = "shooter";
     written.setIdentity(renamed);
     now = next();
-    EXPECT_EQ(now.device(id(5))->profile->verdicts.at("direction"), "same");
+    EXPECT_EQ(now.device(id(5))->profile->verdicts.at("direction"), DirectionVerdict::Reversed);
     EXPECT_EQ(now.device(id(5))->identity->name, "shooter");
     EXPECT_TRUE(first.device(id(5))->profile->verdicts.empty());
     EXPECT_NE(first.device(id(5))->identity->name, "shooter");

@@ -124,7 +124,7 @@ TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended) << ended->error().detail;
     const tuning::Trial &trial = **ended;
-    EXPECT_EQ(trial.reason, "done") << trial.detail;
+    EXPECT_EQ(trial.reason, tuning::EndReason::Done) << trial.detail;
     EXPECT_TRUE(trial.stopped);
     EXPECT_EQ(trial.number, 1);
     ASSERT_EQ(measured.size(), 1U);
@@ -266,7 +266,7 @@ TEST_F(TrialCore, AFrequencyResponseIsMeasuredSineBySineAndEndsWhereItsUserStops
     sweep();
     ASSERT_TRUE(clock.runUntil([&swept] { return swept.has_value(); }, 120s));
     ASSERT_TRUE(*swept) << swept->error().text();
-    EXPECT_TRUE((*swept)->stopReason.empty()) << (*swept)->evidence;
+    EXPECT_TRUE((*swept)->stopReason == tuning::EndReason::None) << (*swept)->evidence;
     ASSERT_EQ((*swept)->points.size(), 2U) << (*swept)->evidence;
     for (const tuning::FrequencyPoint &point : (*swept)->points) {
         const double expected = plant.gain / std::hypot(1.0, 6.2832 * point.hertz * plant.tau);
@@ -284,7 +284,7 @@ TEST_F(TrialCore, AFrequencyResponseIsMeasuredSineBySineAndEndsWhereItsUserStops
     clock.advance(5ms);
     EXPECT_FALSE(isOutputOn());
     ASSERT_TRUE(clock.runUntil([&swept] { return swept.has_value(); }, 20s));
-    EXPECT_TRUE(!*swept || (*swept)->stopReason == "interrupted");
+    EXPECT_TRUE(!*swept || (*swept)->stopReason == tuning::EndReason::Interrupted);
 }
 
 TEST_F(TrialCore, StopAtAnyPhaseStopsTheMotorAndPutsGainsBack)
@@ -299,7 +299,7 @@ TEST_F(TrialCore, StopAtAnyPhaseStopsTheMotorAndPutsGainsBack)
         EXPECT_FALSE(isOutputOn()) << moment.count();
         ASSERT_TRUE(ends());
         EXPECT_FALSE(isOutputOn()) << moment.count();
-        EXPECT_TRUE(!*ended || (**ended).reason == "interrupted") << moment.count();
+        EXPECT_TRUE(!*ended || (**ended).reason == tuning::EndReason::Interrupted) << moment.count();
         EXPECT_EQ(stored(), before) << moment.count();
         EXPECT_TRUE(journal.owed.empty()) << moment.count();
     }
@@ -316,7 +316,7 @@ TEST_F(TrialCore, HaltEndsItAndASecondOneIsRefusedMeanwhile)
     core.send(orders::StopMotion{id()});
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended);
-    EXPECT_EQ((**ended).reason, "interrupted");
+    EXPECT_EQ((**ended).reason, tuning::EndReason::Interrupted);
     EXPECT_TRUE((**ended).stopped);
 }
 
@@ -341,7 +341,7 @@ TEST_F(TrialCore, NoSetPointOfAHandReachesAnExperimentNorWhatItPutsBack)
     EXPECT_TRUE(isRefused());
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended);
-    EXPECT_EQ((**ended).reason, "interrupted");
+    EXPECT_EQ((**ended).reason, tuning::EndReason::Interrupted);
     test::Heard<> started;
     core.send(orders::StartMotion{id(), byHand, 500ms}, started.finished());
     EXPECT_TRUE(started && *started) << "once it is over";
@@ -354,7 +354,7 @@ TEST_F(TrialCore, AWindowThatHangsEndsItByItsLease)
     renewal.stop();
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended);
-    EXPECT_EQ((**ended).reason, "user");
+    EXPECT_EQ((**ended).reason, tuning::EndReason::User);
     EXPECT_FALSE(isOutputOn());
 }
 
@@ -474,7 +474,7 @@ TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
     start(Keep::WhenDone);
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended);
-    ASSERT_EQ((**ended).reason, "done") << (**ended).detail;
+    ASSERT_EQ((**ended).reason, tuning::EndReason::Done) << (**ended).detail;
     EXPECT_TRUE(journal.owed.empty());
     EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().empty(); }, 5s));
 }

@@ -188,7 +188,7 @@ TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
     const test::TemporaryFolder folder;
     core.session().memory().keepProfiles(folder.path("profiles"));
     openNow(good);
-    motor().knowledge().setVerdict("direction", "reversed");
+    motor().knowledge().setVerdict("direction", DirectionVerdict::Reversed);
     EXPECT_EQ(background.waiting(), 1U);
     EXPECT_FALSE(std::filesystem::exists(folder.path("profiles")));
     core.send(orders::CloseLink{addressOf(good).text()});
@@ -196,7 +196,7 @@ TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
     background.release();
     clock.advance(10ms);
     ASSERT_TRUE(isOpen(good));
-    EXPECT_EQ(motor().knowledge().profile().verdicts.at("direction"), "reversed");
+    EXPECT_EQ(motor().knowledge().profile().verdicts.at("direction"), DirectionVerdict::Reversed);
     EXPECT_TRUE(std::filesystem::exists(folder.path("profiles")));
 }
 

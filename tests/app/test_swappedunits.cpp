@@ -334,7 +334,7 @@ TEST_P(SwappedOnTrial, PutsNothingIntoTheNextUnit)
     ASSERT_TRUE(clock.runUntil([&] { return ended.has_value(); }, 60s));
     meet(right);
     ASSERT_TRUE(*ended);
-    EXPECT_EQ((*ended)->reason, "link");
+    EXPECT_EQ((*ended)->reason, tuning::EndReason::Link);
     EXPECT_FALSE(journal.owed.empty()) << "what the former one is owed stands in the notebook";
     EXPECT_EQ(std::count(journal.log.begin(), journal.log.end(), "settle"), 0);
     EXPECT_EQ(read("slot0.p"), 0);

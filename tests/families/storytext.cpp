@@ -144,7 +144,7 @@ std::string textOf(const DeviceProfile &profile)
     for (const auto &[key, value] : profile.counters)
         words.push_back(key + '#' + std::to_string(value));
     for (const auto &[key, value] : profile.verdicts)
-        words.push_back(key + '"' + value + '"');
+        words.push_back(key + '"' + std::string(toString(value)) + '"');
     return joinedOf(words);
 }
 

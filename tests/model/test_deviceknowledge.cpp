@@ -68,7 +68,7 @@ TEST_F(Knowledge, WhatChangesIsKeptAndOnlyWhatOthersFollowIsToldToThem)
     expectTold("lost settings", 1, 0, [this] { knowledge.settingsLost(); });
     expectTold("another unit", 1, 0, [this] { knowledge.unitExchanged(); });
     expectTold("a counter", 1, 0, [this] { knowledge.setCounter("saves", 7); });
-    expectTold("a verdict", 1, 0, [this] { knowledge.setVerdict("direction", "good"); });
+    expectTold("a verdict", 1, 0, [this] { knowledge.setVerdict("direction", DirectionVerdict::Reversed); });
     expectTold("what a file kept", 0, 1, [this] { knowledge.setProfile({}); });
     expectTold("what is refused", 0, 0, [this] {
         EXPECT_FALSE(knowledge.calibrate("amperes", 5.1));

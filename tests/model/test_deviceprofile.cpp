@@ -33,7 +33,7 @@ TEST_F(Profiles, EverythingKeptComesBackEqual)
     profile.written = {{"velocity.p", -2147483648LL}, {"velocity.divisor", 1000000}};
     profile.counters = {{"saves.velocity", 41}};
     profile.lost = {"velocity.p"};
-    profile.verdicts = {{"direction", "agrees"}};
+    profile.verdicts = {{"direction", DirectionVerdict::Agrees}};
     ASSERT_TRUE(book.save(selector, profile));
     const auto back = book.load(selector);
     ASSERT_TRUE(back);
@@ -62,6 +62,19 @@ TEST_F(Profiles, AWholeNumberIsKeptExactlyOrNotAtAll)
     profile.written = {{"most", 9007199254740992LL}, {"least", -9007199254740992LL}, {"nothing", 0}};
     ASSERT_TRUE(book.save(selector, profile));
     EXPECT_EQ(book.load(selector).value(), profile);
+}
+
+TEST_F(Profiles, AVerdictOfAnotherVersionIsNoneOfAgreement)
+{
+    ASSERT_TRUE(book.save(selector, {}));
+    QFile file(QString::fromStdString(book.pathOf(selector)));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    file.write(R"({"verdicts": {"direction": "good", "ch1.direction": "no motion"}})");
+    file.close();
+    const auto profile = book.load(selector);
+    ASSERT_TRUE(profile);
+    EXPECT_EQ(profile->verdicts.at("direction"), DirectionVerdict::Unknown);
+    EXPECT_EQ(profile->verdicts.at("ch1.direction"), DirectionVerdict::NoMotion);
 }
 
 TEST_F(Profiles, ADamagedFileIsPutAsideAndTold)

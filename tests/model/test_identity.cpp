@@ -61,6 +61,25 @@ TEST(Selector, NamesTheSessionOnlyOfDuplicates)
     EXPECT_EQ(selectorOf(link, identity).text(), "sim:can/dmc60c:5@beef");
 }
 
+TEST(DeviceSelector, OfADeviceThatIsGoneHasItsPartsWithoutBeingChecked)
+{
+    struct Row {
+        std::string_view text, link, device, address, session;
+    };
+    for (const Row &row :
+        {Row{"sim:can/dmc60c:5", "sim:can", "dmc60c:5", "5", ""},
+            Row{"serial:/dev/ttyUSB0?baud=57600/supermodified:4", "serial:/dev/ttyUSB0?baud=57600", "supermodified:4",
+                "4", ""},
+            Row{"elsewhere:x/dmc60c:5@00ef", "elsewhere:x", "dmc60c:5@00ef", "5", "@00ef"},
+            Row{"dmc60c:5", "", "dmc60c:5", "5", ""}, Row{"derived", "", "derived", "", ""}, Row{"", "", "", "", ""}}) {
+        const SelectorParts parts = partsOf(row.text);
+        EXPECT_EQ(parts.link, row.link) << row.text;
+        EXPECT_EQ(parts.device, row.device) << row.text;
+        EXPECT_EQ(parts.address, row.address) << row.text;
+        EXPECT_EQ(parts.session, row.session) << row.text;
+    }
+}
+
 TEST(SimulatedUnit, ReadsOptionsAndFaults)
 {
     const auto unit
@@ -72,10 +91,10 @@ TEST(SimulatedUnit, ReadsOptionsAndFaults)
     EXPECT_EQ(unit->option("load"), "2.5");
     EXPECT_FALSE(unit->option("fault"));
     ASSERT_EQ(unit->faults.size(), 3U);
-    EXPECT_EQ(unit->faults[0].kind, "drop");
+    EXPECT_EQ(unit->faults[0].kind, FaultKind::Drop);
     EXPECT_EQ(unit->faults[0].at, 3.0);
     EXPECT_EQ(unit->faults[1].argument, 50.0);
-    EXPECT_EQ(unit->faults[2].kind, "duplicate");
+    EXPECT_EQ(unit->faults[2].kind, FaultKind::Duplicate);
 }
 
 TEST(SimulatedUnit, RefusesNonsense)

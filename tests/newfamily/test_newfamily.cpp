@@ -213,7 +213,7 @@ TEST_F(NewFamily, AStepIsTriedWithOtherGainsAndAdvisedOn)
     const auto trial
         = run(bench.clock, tuning::runExperiment(*unit, bench.session.stream(*unit), std::move(plan), surroundings));
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     ASSERT_EQ(trial->gains.size(), 2U);
     const tuning::Evidence seen(unit->family(), *trial);
     EXPECT_EQ(seen.key(Role::Derivative), "loop.damping");

@@ -50,7 +50,7 @@ KeptTrial trial()
     trial.gains = {{"slot0.p", 1.165}, {"slot0.i", std::nullopt}};
     trial.metrics.overshoot = 0.204;
     trial.metrics.settle = 0.524;
-    trial.reason = "done";
+    trial.reason = EndReason::Done;
     trial.stopped = true;
     trial.samples = 4711;
     trial.signals = {{"velocity", "counts/s", rising(60'000.0)}, {"duty", "fraction", rising(0.3)}};
@@ -281,7 +281,7 @@ KeptTrial sine(double hertz)
     KeptTrial kept;
     kept.time = 1.7e9;
     kept.trial.mode = Mode::Duty;
-    kept.trial.reason = "done";
+    kept.trial.reason = EndReason::Done;
     kept.trial.stimulus = *Stimulus::make(Profile::Sine, 0.15, 0.35, 6.0 / hertz, 0.001);
     Trace position;
     Trace duty;
@@ -303,10 +303,10 @@ KeptTrial sine(double hertz)
 TEST(Report, NamesTheGuardThatStoppedATrialInWordsNotByItsKey)
 {
     Report report = reportOf(true);
-    report.units.front().trials.front().trial.reason = "wrong direction";
+    report.units.front().trials.front().trial.reason = EndReason::WrongDirection;
     EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("stopped by the guard “direction”")));
-    report.units.front().trials.front().trial.reason = "of a newer version";
-    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("stopped by the guard “of a newer version”")));
+    report.units.front().trials.front().trial.reason = EndReason::Unknown;
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("stopped by the guard “unknown”")));
 }
 
 TEST(Report, TellsTheFrequencyResponseWithItsCoherenceBesideTheModel)

@@ -56,7 +56,7 @@ inline KeptTrial stepTrial()
     trial.metrics.peakCurrent = 7.25;
     trial.errors.rise = 0.002;
     trial.flags = {"lost-samples", "saturated"};
-    trial.reason = "done";
+    trial.reason = EndReason::Done;
     trial.stopped = true;
     trial.samples = 4711;
     trial.lost = 3;
@@ -72,7 +72,7 @@ inline KeptTrial sineTrial(std::int64_t number, double hertz)
     kept.number = number;
     kept.time = spring + 60.0;
     kept.trial.mode = Mode::Duty;
-    kept.trial.reason = "done";
+    kept.trial.reason = EndReason::Done;
     kept.trial.stimulus = *Stimulus::make(Profile::Sine, 0.15, 0.35, 6.0 / hertz, 0.001);
     Trace position;
     Trace velocity;
@@ -104,7 +104,7 @@ inline KeptTrial rampTrial()
     kept.trial.mode = Mode::Position;
     kept.trial.slot = 1;
     kept.trial.stimulus = *Stimulus::make(Profile::Ramp, -200.0, 1000.0, 1.0, 0.02);
-    kept.trial.reason = "following";
+    kept.trial.reason = EndReason::Unknown;
     kept.trial.detail = say("the motor is %1 counts behind", "812");
     kept.trial.metrics.sse = 0.031;
     kept.trial.gains = {{"slot1.p", 0.0}, {"not-in-the-table", 2.0}};
@@ -257,7 +257,7 @@ inline ReportUnit board()
     unit.trials = {stepTrial()};
     unit.trials.front().trial.axis = 3;
     unit.trials.front().trial.firmware.clear();
-    unit.trials.front().trial.reason.clear();
+    unit.trials.front().trial.reason = EndReason::None;
     unit.trials.front().trial.stopped = false;
     unit.trials.front().trial.signals.clear();
     return unit;

@@ -299,9 +299,9 @@ TEST_F(SocketCan, TheCatalogTellsWhatCanBeOpenedAndWhyNot)
             = std::find_if(rows.begin(), rows.end(), [text](const LinkListing &r) { return r.link.text() == text; });
         return found == rows.end() ? LinkListing{} : *found;
     };
-    EXPECT_EQ(row("socketcan:vcan0").state, "up");
+    EXPECT_EQ(row("socketcan:vcan0").state, ListingState::Up);
     EXPECT_TRUE(row("socketcan:vcan0").openable);
-    EXPECT_EQ(row("socketcan:vcan1").state, "down");
+    EXPECT_EQ(row("socketcan:vcan1").state, ListingState::Down);
     EXPECT_FALSE(row("socketcan:vcan1").openable);
     EXPECT_EQ(row("socketcan:vcan1").detail, "vcan1 is switched off; bring it up: sudo ip link set vcan1 up");
 }

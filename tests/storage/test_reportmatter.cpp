@@ -51,7 +51,7 @@ protected:
         trial.firmware = "1.23";
         trial.simulated = true;
         trial.mode = mode;
-        trial.reason = "done";
+        trial.reason = tuning::EndReason::Done;
         tuning::Trace trace;
         trace.add(0.0, 1.0);
         trial.signals = {{"velocity", "counts/s", trace}};

@@ -52,7 +52,7 @@ protected:
         trial.metrics.overshoot = 0.0;
         trial.errors.rise = 0.002;
         trial.flags = {"saturated"};
-        trial.reason = "done";
+        trial.reason = tuning::EndReason::Done;
         trial.stopped = true;
         trial.samples = 4711;
         trial.lost = 7;
@@ -133,7 +133,7 @@ TEST_F(Notebooks, ATrialThatNobodySawEndIsThereAsAborted)
     ASSERT_TRUE(rows);
     ASSERT_EQ(rows->size(), 1U);
     EXPECT_TRUE(rows->front().trial.has("aborted"));
-    EXPECT_TRUE(rows->front().trial.reason.empty());
+    EXPECT_TRUE(rows->front().trial.reason == tuning::EndReason::None);
     EXPECT_FALSE(rows->front().trial.stopped);
     EXPECT_EQ(rows->front().trial.stimulus, trial().stimulus);
 }

@@ -25,7 +25,7 @@ TEST(TrialFile, ATableSaysTheSameOnComputersOfOtherTimeZonesAndQuotesWhatNeedsIt
     kept.time = 1.7e9;
     kept.trial.device = "sim:can/dmc60c:5";
     kept.trial.unit = "arm, \"left\"";
-    kept.trial.reason = "done";
+    kept.trial.reason = tuning::EndReason::Done;
     kept.note = "two\rlines";
     for (const char *zone : {"UTC", "CET-1"}) {
         setZone(zone);

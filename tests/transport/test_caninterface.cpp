@@ -187,7 +187,7 @@ TEST(CanListing, NamesWhyAnInterfaceCannotBeUsed)
     interface.kind = CanInterface::Kind::Controller;
     interface.up = false;
     LinkListing row = listed(interface);
-    EXPECT_EQ(row.state, "down");
+    EXPECT_EQ(row.state, ListingState::Down);
     EXPECT_FALSE(row.openable);
     EXPECT_EQ(row.diagnosis.ailment, Ailment::Down);
     EXPECT_NE(row.diagnosis.command.find("bitrate"), std::string::npos) << row.diagnosis.command;
@@ -196,13 +196,13 @@ TEST(CanListing, NamesWhyAnInterfaceCannotBeUsed)
     interface.up = true;
     interface.state = BusState::BusOff;
     row = listed(interface);
-    EXPECT_EQ(row.state, "bus-off");
+    EXPECT_EQ(row.state, ListingState::BusOff);
     EXPECT_FALSE(row.openable);
     EXPECT_EQ(row.detail.english(), row.diagnosis.message().english());
     EXPECT_FALSE(row.diagnosis.command.empty()) << "somebody must bring it back";
     interface.restarts = true;
     EXPECT_TRUE(listed(interface).diagnosis.command.empty()) << "it comes back by itself";
-    EXPECT_EQ(listed(interface).state, "bus-off");
+    EXPECT_EQ(listed(interface).state, ListingState::BusOff);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ struct CanKernel : testing::Test {
         std::vector<std::string> rows;
         for (const LinkListing &row : listLinks()) {
             if (row.kind == LinkKind::Can)
-                rows.push_back(row.link.text() + " | " + row.state + " | " + row.detail.english()
+                rows.push_back(row.link.text() + " | " + std::string(toString(row.state)) + " | " + row.detail.english()
                     + (row.openable ? " | openable" : "") + (row.diagnosis.isHealthy() ? "" : " | ill"));
         }
         return rows;

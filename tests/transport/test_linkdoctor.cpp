@@ -247,12 +247,14 @@ TEST(LinkDoctor, ListingsAreMatchedByTheirInterface)
     rows.pop_back();
     EXPECT_EQ(diagnose(link, now, rows).ailment, Ailment::Gone);
     const Diagnosis none{Ailment::NotThere, say("there is no CAN interface"), say("plug in an adapter"), ""};
-    EXPECT_EQ(
-        diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", Message(), false, none, false}}).ailment,
+    EXPECT_EQ(diagnose(link, now,
+                  {{{"socketcan", "", {}}, LinkKind::Can, ListingState::Absent, Message(), false, none, false}})
+                  .ailment,
         Ailment::Gone);
     const Diagnosis kernel{
         Ailment::NoCan, say("this kernel has no CAN support"), say("load it"), "sudo modprobe can_raw"};
-    EXPECT_EQ(diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", Message(), false, kernel, false}}),
+    EXPECT_EQ(diagnose(link, now,
+                  {{{"socketcan", "", {}}, LinkKind::Can, ListingState::Absent, Message(), false, kernel, false}}),
         kernel);
 }
 

@@ -178,7 +178,7 @@ TEST_F(QtCanAdapterPlayed, APluginThatFindsNoAdapterHasARowWithTheCauseAndTheRem
         return LinkListing{};
     };
     const LinkListing silent = row({});
-    EXPECT_EQ(silent.state, "absent");
+    EXPECT_EQ(silent.state, ListingState::Absent);
     EXPECT_FALSE(silent.openable);
     EXPECT_EQ(silent.kind, LinkKind::Can);
     EXPECT_EQ(silent.diagnosis,

@@ -126,7 +126,7 @@ void moveTuned(ExperimentBench &bench, double counts, Moved &moved, int phases =
     for (int phase = 0; phase < phases; ++phase) {
         const auto trial = bench.run(move);
         ASSERT_TRUE(trial) << trial.error().text();
-        ASSERT_EQ(trial->reason, "done") << phase << ": " << trial->detail;
+        ASSERT_EQ(trial->reason, tuning::EndReason::Done) << phase << ": " << trial->detail;
         const Rest rest = restOf(*trial, seconds);
         moved.rest = {std::max(moved.rest.residual, rest.residual), std::max(moved.rest.beyond, rest.beyond),
             std::max(moved.rest.late, rest.late)};
@@ -240,7 +240,7 @@ TEST(Acceptance, A07_TheUserAndTheLimitsHoldWhileTheScalesAreFound)
         const auto report = tune(bench, plan);
         ASSERT_TRUE(report) << report.error().text();
         EXPECT_EQ(report->result, TuneResult::Stopped);
-        EXPECT_EQ(report->stopReason, "interrupted");
+        EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted);
         EXPECT_TRUE(report->stopped);
     }
     ExperimentBench bench("sim:spi", "quadquad2drv", 0);
@@ -249,8 +249,8 @@ TEST(Acceptance, A07_TheUserAndTheLimitsHoldWhileTheScalesAreFound)
     plan.limits.travel = 800.0;
     const auto report = tune(bench, plan);
     ASSERT_TRUE(report) << report.error().text();
-    std::printf("  %s: %s\n", report->stopReason.c_str(), report->evidence.english().c_str());
-    EXPECT_EQ(report->stopReason, "travel");
+    std::printf("  %s: %s\n", std::string(toString(report->stopReason)).c_str(), report->evidence.english().c_str());
+    EXPECT_EQ(report->stopReason, tuning::EndReason::Travel);
     EXPECT_TRUE(report->stopped);
     EXPECT_LE(bench.device->knowledge().profile().calibrated(quadquad2drv::calibration::velocityP), 0.0);
     EXPECT_FALSE(bench.simulator()->isOutputOn());
@@ -362,7 +362,7 @@ TEST(Acceptance, ASearchForScalesChecksTheDirectionBeforeItClosesALoop)
         const auto report = tune(bench, plan);
         ASSERT_TRUE(report) << report.error().text();
         EXPECT_EQ(report->result, TuneResult::Stopped) << fault;
-        EXPECT_EQ(report->stopReason, reason) << report->evidence.english();
+        EXPECT_EQ(toString(report->stopReason), reason) << report->evidence.english();
         EXPECT_TRUE(report->stopped);
         EXPECT_FALSE(bench.simulator()->isOutputOn());
     }

@@ -34,7 +34,7 @@ Trial made(Mode mode, double to, const Curve &position, const Curve &velocity, c
     trial.envelope.duty = 1.0;
     trial.holds = {{0.0, hold}};
     trial.returns = {{hold, 2.0 * hold}};
-    trial.reason = "done";
+    trial.reason = tuning::EndReason::Done;
     Signal positions{"position", "counts", {}};
     Signal velocities{"velocity", "counts/s", {}};
     Signal duties{"duty", "fraction", {}};

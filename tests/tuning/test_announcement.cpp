@@ -131,7 +131,7 @@ TEST(Announcement, AStepByItselfIsToldWithItsDirectionCheckBeforeItRuns)
     ExperimentBench bench("sim:can", "dmc60c", 5);
     const auto trial = bench.run(test::stepTo(Mode::Velocity, 20'000.0));
     ASSERT_TRUE(trial) << trial.error().text();
-    ASSERT_EQ(trial->reason, "done") << trial->detail;
+    ASSERT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     const std::vector<Announced> told = announcedIn(bench.notes);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_LE(fastest(trial->signal("position")->trace), told.front().speed.value_or(0.0));
@@ -153,7 +153,7 @@ TEST(Announcement, OfAStepBetweenTwoSpeedsCountsWhatItGoesAtTheFirst)
     plan.seconds = 0.1;
     const auto trial = bench.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    ASSERT_EQ(trial->reason, "done") << trial->detail;
+    ASSERT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     const std::vector<Announced> told = announcedIn(bench.notes);
     ASSERT_EQ(told.size(), 1U);
     EXPECT_LE(farthest(trial->signal("position")->trace), told.front().travel);
@@ -174,7 +174,7 @@ TEST(Announcement, ALimitOfCurrentThatNobodyCanHoldIsSaidOnceAndTheDutyLimitStan
     plan.limits.current = 2.0;
     const auto trial = drive.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done);
     EXPECT_FALSE(trial->envelope.current);
     EXPECT_EQ(told, 1);
     TunePlan tuning = planOf(Mode::Velocity);

@@ -44,7 +44,7 @@ TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
     EXPECT_LE(after->metrics.overshoot.value_or(1.0), 0.02);
     for (const ScaledGains::Row &row : report->proposed.rows)
         EXPECT_EQ(rawOf(bench, row.key), row.raw) << row.key;
-    EXPECT_LE(report->seconds, 60.0); // A13, of the device's time
+    EXPECT_LE(report->seconds, 60.0); // docs/tuning-results.md#a13
     ASSERT_EQ(bench.journal.tunings.size(), 1U);
     EXPECT_EQ(bench.journal.tunings.front().result, TuneResult::Kept);
     EXPECT_EQ(bench.journal.tunings.front().unit, after->unit);
@@ -53,7 +53,7 @@ TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
 /// The gain that somebody had, and how often the same experiment was tried again.
 struct Lossy {
     TuneResult result = TuneResult::Refused;
-    std::string reason;
+    tuning::EndReason reason;
     std::ptrdiff_t again = 0;
     bool stopped = false;
     bool sameGains = false;
@@ -86,7 +86,7 @@ TEST(Autotune, AWireThatLosesNowAndThenIsTriedAgain)
     for (const Duration worst : {3s, 6s, 12s}) {
         const Lossy lossy = tuneWithLoss(0.03, worst);
         std::printf("3 %% lost: %td experiments again\n", lossy.again);
-        EXPECT_EQ(lossy.result, TuneResult::Kept) << lossy.reason;
+        EXPECT_EQ(lossy.result, TuneResult::Kept) << toString(lossy.reason);
         EXPECT_GE(lossy.again, 1);
     }
 }
@@ -95,7 +95,7 @@ TEST(Autotune, AWireThatLosesAllTheTimeStopsIt)
 {
     const Lossy lossy = tuneWithLoss(0.12);
     EXPECT_EQ(lossy.result, TuneResult::Stopped);
-    EXPECT_EQ(lossy.reason, "link");
+    EXPECT_EQ(lossy.reason, tuning::EndReason::Link);
     EXPECT_EQ(lossy.again, 4);
     EXPECT_TRUE(lossy.stopped);
     EXPECT_TRUE(lossy.sameGains);
@@ -178,7 +178,7 @@ TEST(Autotune, ProvesTheCurrentLoopOfEachDmc60c)
         const double gain = supply.voltage / (motor.resistance + supply.bridgeResistance);
         EXPECT_NEAR(report->plant.gain, gain, 0.03 * gain);
         EXPECT_TRUE(report->stopped);
-        EXPECT_LE(report->seconds, 60.0); // A13
+        EXPECT_LE(report->seconds, 60.0); // docs/tuning-results.md#a13
         for (const ScaledGains::Row &row : report->proposed.rows)
             EXPECT_EQ(rawOf(bench, row.key), row.raw) << row.key;
     }
@@ -221,7 +221,7 @@ TEST(Autotune, AStalledShaftStopsItWithTheGuardsNameAndWritesNothing)
     const auto report = tune(bench, planOf(Mode::Velocity));
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->result, TuneResult::Stopped);
-    EXPECT_EQ(report->stopReason, "no motion");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::NoMotion);
     EXPECT_TRUE(report->stopped);
     EXPECT_EQ(rawOf(bench, "slot0.p"), p);
 }
@@ -238,7 +238,7 @@ TEST(Autotune, TheUserEndsItAtAnyPointAndTheGainsStay)
         const auto report = tune(bench, planOf(Mode::Velocity));
         ASSERT_TRUE(report) << report.error().text();
         EXPECT_EQ(report->result, TuneResult::Stopped) << seconds;
-        EXPECT_EQ(report->stopReason, "interrupted") << seconds;
+        EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted) << seconds;
         EXPECT_TRUE(report->stopped);
         EXPECT_EQ(rawOf(bench, "slot0.p"), p) << seconds;
         EXPECT_EQ(rawOf(bench, "slot1.p"), other) << seconds;
@@ -290,7 +290,7 @@ TEST(Autotune, GainsThatReplaceUnknownOnesAreSaidToBeInForceWhereTheirProofIsCut
     const auto report = tune(bench, plan);
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
-    EXPECT_EQ(report->stopReason, "interrupted");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted);
     EXPECT_NE(report->notPutBack.english().find("those that were tried are in force"), std::string::npos)
         << report->notPutBack;
     EXPECT_NE(report->evidence.english().find("those that were tried are in force"), std::string::npos)

@@ -92,7 +92,7 @@ TEST(Batteries, CallAStepThatWasHeldTooBrieflyTheWorstToSettle)
         step.seconds = seconds;
         const auto trial = bench.run(step);
         ASSERT_TRUE(trial) << trial.error().text();
-        EXPECT_EQ(trial->reason, "done");
+        EXPECT_EQ(trial->reason, tuning::EndReason::Done);
         EXPECT_EQ(trial->metrics.settle.has_value(), seconds > 1.0);
         trials.push_back(*trial);
     }
@@ -108,7 +108,7 @@ TEST(Batteries, OfUnitSevenAreTenTrialsThatOvershoot)
     for (const ExperimentPlan &step : batteryOf(test::stepTo(Mode::Velocity, 60'000.0), 0.0, false).steps) {
         const auto trial = bench.run(step);
         ASSERT_TRUE(trial) << trial.error().text();
-        EXPECT_EQ(trial->reason, "done");
+        EXPECT_EQ(trial->reason, tuning::EndReason::Done);
         trials.push_back(*trial);
     }
     const BatteryWorst worst = worstOf(trials);

@@ -58,8 +58,8 @@ TEST(BoardLoss, AWireThatLosesAThirdStopsTheMotorAndSaysIt)
     ExperimentBench bench("sim:spi?seed=3&loss=0.3", "quadquad2drv", 0);
     const auto report = tuneBoard(bench);
     if (report)
-        std::printf("  %s, %s: %s\n", std::string(toString(report->result)).c_str(), report->stopReason.c_str(),
-            report->evidence.english().c_str());
+        std::printf("  %s, %s: %s\n", std::string(toString(report->result)).c_str(),
+            std::string(toString(report->stopReason)).c_str(), report->evidence.english().c_str());
     else
         std::printf("  %s\n", report.error().text().c_str());
     EXPECT_FALSE(report && report->result == TuneResult::Kept);

@@ -76,7 +76,7 @@ TEST(Direction, OfALeaseThatNobodyRenewsComesBetweenTwoPushes)
     const Instant hung = check.bench.bench.clock.now();
     check.bench.renewal.stop();
     EXPECT_LE(check.drivenLast(), hung + experimentLease + handling);
-    EXPECT_EQ(check.trial().reason, "user") << check.trial().detail;
+    EXPECT_EQ(check.trial().reason, tuning::EndReason::User) << check.trial().detail;
 }
 
 TEST(Direction, PushesStayWithinTheDutyOfTheEnvelope)
@@ -85,7 +85,7 @@ TEST(Direction, PushesStayWithinTheDutyOfTheEnvelope)
     limits.duty = 0.1;
     BlockedCheck drive("sim:can", "dmc60c", 5, limits);
     (void)drive.drivenLast();
-    EXPECT_EQ(drive.trial().reason, "no motion") << drive.trial().detail;
+    EXPECT_EQ(drive.trial().reason, tuning::EndReason::NoMotion) << drive.trial().detail;
     EXPECT_NE(drive.trial().detail.english().find("at up to 10 % duty"), std::string::npos) << drive.trial().detail;
 
     BlockedCheck board("sim:spi", "quadquad2drv", 0, limits); // which tells nobody its duty
@@ -98,7 +98,7 @@ TEST(Direction, PushesStayWithinTheDutyOfTheEnvelope)
         }
     });
     (void)board.drivenLast();
-    EXPECT_EQ(board.trial().reason, "no motion") << board.trial().detail;
+    EXPECT_EQ(board.trial().reason, tuning::EndReason::NoMotion) << board.trial().detail;
     EXPECT_GT(powers, 2);
 }
 
@@ -122,7 +122,7 @@ TEST(Direction, APushThatWasEndedIsTheLast)
     ASSERT_TRUE(unit.clock.runUntil([&isOn] { return !isOn(); }, 1s));
     EXPECT_TRUE(unit.clock.runUntil([&] { return isOn() || task.isFinished(); }, 10s));
     ASSERT_TRUE(task.isFinished() && task.result()) << "it pushes again";
-    EXPECT_EQ(task.result()->reason, toString(SetPointStream::End::Late)) << task.result()->detail;
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::Late) << task.result()->detail;
     EXPECT_EQ(stream.end(), SetPointStream::End::Late);
     EXPECT_FALSE(directions.find(unit.device->selector(), 1));
 }
@@ -137,7 +137,7 @@ TEST(Direction, IsGuardedWhileItPushes)
         const Instant struck = check.bench.bench.clock.now();
         EXPECT_TRUE(check.bench.simulator()->disturb(what, value));
         EXPECT_LE(check.drivenLast(), struck + 100ms) << what;
-        EXPECT_EQ(check.trial().reason, reason) << check.trial().detail;
+        EXPECT_EQ(check.trial().reason, tuning::endReasonFrom(reason)) << check.trial().detail;
     }
 }
 
@@ -166,7 +166,7 @@ TEST(Direction, ANudgeIsStoppedWithinSixtyCounts)
 
     EXPECT_LE(farthest, 60.0 + 0.02 * fastest);
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "wrong direction") << task.result()->detail;
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::WrongDirection) << task.result()->detail;
 }
 
 TEST(Direction, AUnitThatFallsSilentIsNoneThatDoesNotMove)
@@ -190,7 +190,8 @@ TEST(Direction, AUnitThatFallsSilentIsNoneThatDoesNotMove)
             EXPECT_LE(at, 100ms) << task.result().error().text();
             continue;
         }
-        EXPECT_EQ(task.result()->reason, isConcluded ? "no motion" : "link") << at.count() << task.result()->detail;
+        EXPECT_EQ(task.result()->reason, isConcluded ? tuning::EndReason::NoMotion : tuning::EndReason::Link)
+            << at.count() << task.result()->detail;
     }
 }
 
@@ -322,7 +323,7 @@ TEST(Nudge, TurnsAShaftThatIsHeldSoftly)
         const Nudged nudged(bench);
         ASSERT_TRUE(nudged.result) << node << ' ' << nudged.result.error().text();
         EXPECT_GE(*nudged.result, leastNudged);
-        EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "agrees");
+        EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), DirectionVerdict::Agrees);
     }
 }
 
@@ -345,7 +346,7 @@ TEST(Nudge, OfABlockedShaftSaysSo)
     ASSERT_FALSE(nudged.result) << *nudged.result;
     EXPECT_NE(nudged.result.error().text().find("sent 100 counts up"), std::string::npos)
         << nudged.result.error().text();
-    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "no motion");
+    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), DirectionVerdict::NoMotion);
 }
 
 /// A relative move is never sent twice: one that is lost ends it.
@@ -411,7 +412,7 @@ TEST(Direction, AndOfAnExperimentBeforeItsMotion)
         60s));
     EXPECT_FALSE(drove);
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "user") << task.result()->detail;
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::User) << task.result()->detail;
 }
 
 } // namespace

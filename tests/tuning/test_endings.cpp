@@ -56,7 +56,7 @@ TEST(Endings, StopThatIsPressedBeforeItsOrderArrivesIsNotDoneAndTheGainsAreAsBef
         step.bench.bench.session.stopAll(StopCause::User);
         pressed = false;
     });
-    EXPECT_EQ(trial.reason, "interrupted");
+    EXPECT_EQ(trial.reason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(trial.has(flag::aborted));
     EXPECT_EQ(step.inForce(), step.before);
 }
@@ -83,7 +83,7 @@ TEST(Endings, OfAStepThatIsCutShortSayNothingOfAMotorThatDidNotMove)
     bench.interruption.interrupt();
     ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 30s));
     const Trial cut = task.result().value_or(Trial());
-    EXPECT_EQ(cut.reason, "interrupted");
+    EXPECT_EQ(cut.reason, tuning::EndReason::Interrupted);
     ASSERT_EQ(cut.holds.size(), 1U);
     EXPECT_FALSE(cut.has(flag::didNotMove));
 }
@@ -95,7 +95,7 @@ TEST(Endings, ByAPeakOfCurrentRightAfterTheEdgeSayNothingOfAMotorThatDidNotMove)
     plan.limits.current = 12.0;
     const Result<Trial> trial = bench.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "current");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Current);
     EXPECT_FALSE(trial->has(flag::didNotMove));
 }
 
@@ -107,7 +107,7 @@ TEST(Endings, ByTheGuardThatMissesMotionAreOfAMotorThatDidNotMove)
     bench.simulator()->disturb("stall", 1.0);
     const Result<Trial> trial = bench.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "no motion");
+    EXPECT_EQ(trial->reason, tuning::EndReason::NoMotion);
     EXPECT_TRUE(trial->has(flag::didNotMove));
 }
 
@@ -151,7 +151,7 @@ TEST(Endings, WhoeverStopsTheMotorInterruptsTheTrial)
 {
     StepWithGains step;
     const Trial trial = step.endedBy([&] { step.bench.bench.session.stream(*step.bench.device).stop(); });
-    EXPECT_EQ(trial.reason, "interrupted");
+    EXPECT_EQ(trial.reason, tuning::EndReason::Interrupted);
     EXPECT_EQ(step.inForce(), step.before);
 }
 
@@ -183,7 +183,7 @@ TEST(Endings, OverALostLinkPutTheRatesBackWhenItIsThereAgain)
         EXPECT_GT(rate(), 1.5 * own);
         step.bench.bench.link->close();
     });
-    EXPECT_NE(trial.reason, "done");
+    EXPECT_NE(trial.reason, tuning::EndReason::Done);
     ASSERT_TRUE(step.bench.bench.link->open());
     step.bench.bench.clock.advance(5s);
     EXPECT_NEAR(rate(), own, 0.1 * own);
@@ -202,7 +202,7 @@ TEST(Endings, WhoseMotorIsNotSeenToStandOweTheGains)
         timer.startIn(20ms, again);
     };
     const Trial trial = step.endedBy([&] { timer.startIn(1ms, again); });
-    EXPECT_EQ(trial.reason, "foreign master");
+    EXPECT_EQ(trial.reason, tuning::EndReason::ForeignMaster);
     EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
     EXPECT_EQ(step.inForce(), step.before / 2);
     EXPECT_FALSE(step.bench.journal.owed.empty());
@@ -257,9 +257,9 @@ TEST(Endings, OfATargetThatTheDeviceRefusesAreARefusal)
     ExperimentPlan plan = stepTo(Mode::Position, 1e10);
     plan.limits.travel = 1e11;
     const Result<Trial> trial = bench.run(plan);
-    ASSERT_TRUE(!trial || trial->reason != "done");
+    ASSERT_TRUE(!trial || trial->reason != tuning::EndReason::Done);
     if (trial) {
-        EXPECT_EQ(trial->reason, "refused");
+        EXPECT_EQ(trial->reason, tuning::EndReason::Refused);
         EXPECT_FALSE(trial->detail.empty());
     }
 }
@@ -291,14 +291,14 @@ TEST(Endings, OfTheFirstPushByAnotherMasterAreNamed)
     ExperimentBench bench;
     bench.simulator()->disturb("stall", 1.0); // so it lasts
     const Trial trial = endedAtTheFirstPush(bench, [&] { commandElsewhere(bench); });
-    EXPECT_EQ(trial.reason, "foreign master") << trial.detail;
+    EXPECT_EQ(trial.reason, tuning::EndReason::ForeignMaster) << trial.detail;
 }
 
 TEST(Endings, ByAnotherMasterAreNamedWhereItComesBetweenTwoPushes)
 {
     ExperimentBench bench;
     const Trial trial = endedAtTheFirstPush(bench, [&] { commandElsewhere(bench); });
-    EXPECT_EQ(trial.reason, "foreign master") << trial.detail;
+    EXPECT_EQ(trial.reason, tuning::EndReason::ForeignMaster) << trial.detail;
 }
 
 TEST(Endings, ByARestartAreNamedWhereItComesBetweenTwoPushes)
@@ -310,7 +310,7 @@ TEST(Endings, ByARestartAreNamedWhereItComesBetweenTwoPushes)
         bench.bench.clock.advance(1ms);
         bench.simulator()->setPowered(true);
     });
-    EXPECT_EQ(trial.reason, "device restarted") << trial.detail;
+    EXPECT_EQ(trial.reason, tuning::EndReason::DeviceRestarted) << trial.detail;
 }
 
 TEST(Endings, OfTheFirstPushByStopIsAnInterruption)
@@ -325,7 +325,7 @@ TEST(Endings, OfTheFirstPushByStopIsAnInterruption)
         bench.bench.session.stopAll(StopCause::User);
         pressed = false;
     });
-    EXPECT_EQ(trial.reason, "interrupted") << trial.detail;
+    EXPECT_EQ(trial.reason, tuning::EndReason::Interrupted) << trial.detail;
 }
 
 TEST(Endings, AShaftThatStillTurnsTellsNobodyItsDirection)
@@ -349,7 +349,7 @@ TEST(Endings, APositionThatIsSilentAloneEndsATrial)
         (void)run(step.bench.bench.clock, step.bench.device->write(encoderPeriod, 30'000));
         step.bench.simulator()->disturb("load-torque", -0.5);
     });
-    EXPECT_EQ(trial.reason, "link");
+    EXPECT_EQ(trial.reason, tuning::EndReason::Link);
     EXPECT_NE(trial.detail.english().find("no position for"), std::string::npos) << trial.detail.english();
     EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
     EXPECT_EQ(step.inForce(), step.before / 2) << "its loop is not changed while the shaft may turn";
@@ -363,7 +363,7 @@ TEST(Endings, AShaftThatALoadStillTurnsOwesTheGains)
         step.bench.simulator()->disturb("load-torque", -2.0);
         step.bench.interruption.interrupt();
     });
-    EXPECT_EQ(trial.reason, "interrupted");
+    EXPECT_EQ(trial.reason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(trial.stopped) << "nothing drives it";
     EXPECT_EQ(trial.notPutBack.english(), "the motor was not seen to stand");
     EXPECT_EQ(step.inForce(), step.before / 2);
@@ -426,7 +426,7 @@ TEST(Endings, ByTheTimeComeWhereEveryLookIsLate)
         unit.clock.advance(1ms);
     }
     ASSERT_TRUE(recorder.trip()) << stream.reason().english();
-    EXPECT_EQ(recorder.trip()->guard, Guard::Time) << recorder.trip()->detail;
+    EXPECT_EQ(recorder.trip()->guard, EndReason::Time) << recorder.trip()->detail;
 }
 
 /// What is told while the motor runs takes no longer because of the repeats before it.
@@ -462,7 +462,7 @@ TEST(Endings, OfAProfileWithoutStepsTellNothingWhileTheMotorRuns)
     plan.seconds = 3.0;
     const Result<Trial> trial = bench.run(plan);
     ASSERT_TRUE(trial);
-    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done);
     EXPECT_EQ(told, 0);
     EXPECT_EQ(trial->holds.size(), 1U);
     EXPECT_FALSE(trial->metrics.rise);
@@ -476,7 +476,7 @@ TEST(Endings, OfAHoldOfADutyComeWhenTheMotorTurnsSteadily)
     ExperimentBench bench;
     const Result<Trial> trial = bench.run(stepTo(Mode::Duty, 0.2));
     ASSERT_TRUE(trial);
-    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done);
     ASSERT_EQ(trial->holds.size(), 1U);
     EXPECT_LT(trial->holds.front().to - trial->holds.front().from, 4.0);
 }

@@ -19,7 +19,7 @@ using test::stepTo;
 void expectDone(const Result<Trial> &trial)
 {
     ASSERT_TRUE(trial) << trial.error().detail;
-    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     EXPECT_TRUE(trial->stopped);
     EXPECT_TRUE(trial->simulated);
 }
@@ -103,7 +103,7 @@ TEST(Experiment, AnEncoderThatDiesInTheStepIsNoLoopThatHasSettled)
         ASSERT_TRUE(bench.simulator()->disturb("encoder-dead", 1.0));
         ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 20s));
         ASSERT_TRUE(task.result()) << task.result().error().text();
-        EXPECT_EQ(task.result()->reason, "no motion") << toString(mode);
+        EXPECT_EQ(task.result()->reason, tuning::EndReason::NoMotion) << toString(mode);
     }
 }
 
@@ -212,7 +212,7 @@ TEST_P(EveryFamily, RunsAStepThatEndsStoppedAndMeasured)
         ASSERT_TRUE(trial) << trial.error().detail;
     }
     ASSERT_TRUE(trial);
-    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     EXPECT_TRUE(trial->metrics.rise) << unit.family;
     EXPECT_TRUE(trial->metrics.sse) << unit.family;
     EXPECT_FALSE(trial->has(flag::didNotMove));
@@ -247,7 +247,7 @@ TEST(Experiment, RunsOnEveryAxisOfABoard)
         plan.axis = axis;
         const auto trial = bench.run(plan);
         ASSERT_TRUE(trial) << trial.error().text();
-        EXPECT_EQ(trial->reason, "done") << axis << ": " << trial->detail;
+        EXPECT_EQ(trial->reason, tuning::EndReason::Done) << axis << ": " << trial->detail;
         EXPECT_TRUE(trial->metrics.rise) << axis;
     }
 }
@@ -260,7 +260,7 @@ TEST(Experiment, AnOpenLoopWithoutATellingDutyIsNotTakenForAReversedSensor)
         plan.seconds = 0.5;
         const auto trial = bench.run(plan);
         ASSERT_TRUE(trial) << trial.error().text();
-        EXPECT_EQ(trial->reason, "done") << trial->detail;
+        EXPECT_EQ(trial->reason, tuning::EndReason::Done) << trial->detail;
     }
 }
 
@@ -290,7 +290,7 @@ TEST(Experiment, AChirpIsNoOscillationOfTheLoopOnAnyFamily)
         plan.profile = Profile::Chirp;
         const auto trial = bench.run(plan);
         ASSERT_TRUE(trial) << trial.error().text();
-        EXPECT_EQ(trial->reason, "done") << unit.family << ": " << trial->detail;
+        EXPECT_EQ(trial->reason, tuning::EndReason::Done) << unit.family << ": " << trial->detail;
     }
 }
 
@@ -466,7 +466,7 @@ TEST(Experiment, AnInterruptionStopsAtOnceAndIsNoFault)
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 20s));
     ASSERT_TRUE(task.result());
-    EXPECT_EQ(task.result()->reason, "interrupted");
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(task.result()->stopped);
     EXPECT_TRUE(task.result()->has(flag::aborted));
 }
@@ -488,7 +488,7 @@ TEST(Experiment, TheDirectionIsCheckedOnceARunAndItsVerdictKept)
 {
     ExperimentBench bench;
     expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));
-    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), "agrees");
+    EXPECT_EQ(bench.device->knowledge().profile().verdicts.at("direction"), DirectionVerdict::Agrees);
     EXPECT_TRUE(bench.directions.find(bench.device->selector(), 1));
     const auto first = bench.bench.clock.now();
     expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));

@@ -97,7 +97,7 @@ TEST(FirstMotion, AStrongMotorIsLedByTheUnitsProfileAndNeverDrawsMoreThanItsLimi
         EXPECT_LE(bench.most, currentLimit);
         EXPECT_LE(drawn, currentLimit);
         EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
-        EXPECT_LE(report->seconds, 60.0); // A13
+        EXPECT_LE(report->seconds, 60.0); // docs/tuning-results.md#a13
         ASSERT_TRUE(report->scale);
         EXPECT_GT(report->scale->rate, 0.0);
         EXPECT_NE(report->evidence.english().find("profile"), std::string::npos);
@@ -131,7 +131,7 @@ TEST(FirstMotion, ADeadSensorIsNotPushedHarderOnceTheMotorTurns)
         const auto report = test::tune(bench, test::planOf(Mode::Position));
         ASSERT_TRUE(report) << report.error().text();
         std::printf("  %s: %zu forces, %s\n", motor.c_str(), bench.tries(), report->evidence.english().c_str());
-        EXPECT_EQ(report->stopReason, "no motion");
+        EXPECT_EQ(report->stopReason, tuning::EndReason::NoMotion);
         EXPECT_LE(bench.tries(), motor == "775pro" ? 5U : 11U) << "one more than makes it turn";
         EXPECT_LE(bench.most, currentLimit);
         EXPECT_EQ(bench.stored(), before);
@@ -148,7 +148,7 @@ TEST(FirstMotion, AStalledShaftStaysWithinItsCurrentAndTheGainsStay)
         const auto report = test::tune(bench, test::planOf(Mode::Position));
         ASSERT_TRUE(report) << report.error().text();
         std::printf("  %s: at most %.1f A, %s\n", motor.c_str(), bench.most, report->evidence.english().c_str());
-        EXPECT_EQ(report->stopReason, "no motion");
+        EXPECT_EQ(report->stopReason, tuning::EndReason::NoMotion);
         EXPECT_LE(bench.most, currentLimit);
         EXPECT_EQ(bench.stored(), before);
         EXPECT_FALSE(bench.simulator()->isOutputOn());
@@ -165,7 +165,7 @@ TEST(FirstMotion, GainsAndProfileAreAsTheyWereWhereverItIsInterrupted)
             std::chrono::milliseconds(std::lround(1000.0 * seconds)), [&bench] { bench.interruption.interrupt(); });
         const auto report = test::tune(bench, test::planOf(Mode::Position));
         ASSERT_TRUE(report) << report.error().text();
-        EXPECT_EQ(report->stopReason, "interrupted") << seconds;
+        EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted) << seconds;
         EXPECT_TRUE(report->stopped);
         EXPECT_EQ(bench.stored(), before) << seconds;
     }
@@ -196,7 +196,7 @@ TEST(FirstMotion, ACheckThatDoesNotBeginToMoveTheMotorIsGivenUpAfterThreeTenthsO
     look();
     const auto report = test::tune(bench, test::planOf(Mode::Position));
     ASSERT_TRUE(report) << report.error().text();
-    EXPECT_EQ(report->stopReason, "no motion");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::NoMotion);
     EXPECT_GE(milliseconds, 250);
     EXPECT_LE(milliseconds, 400);
 }

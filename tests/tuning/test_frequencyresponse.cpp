@@ -143,7 +143,7 @@ TEST(FrequencyResponse, MeasuresTheSimulatedMotorAsItIs)
         measureFrequencyResponse(
             *bench.device, bench.bench.session.stream(*bench.device), *plan, model->plant, bench.surroundings));
     ASSERT_TRUE(measured) << measured.error().text();
-    EXPECT_TRUE(measured->stopReason.empty()) << measured->evidence;
+    EXPECT_TRUE(measured->stopReason == tuning::EndReason::None) << measured->evidence;
     EXPECT_TRUE(measured->stopped);
     ASSERT_EQ(measured->points.size(), plan->hertz.size()) << measured->evidence;
     EXPECT_EQ(measured->trials.size(), plan->hertz.size());
@@ -188,7 +188,7 @@ TEST(FrequencyResponse, IsNoneWhereItsNextSineCouldNotBegin)
             *bench.device, bench.bench.session.stream(*bench.device), *plan, plant, bench.surroundings));
     ASSERT_TRUE(measured) << measured.error().text();
     ASSERT_EQ(sines, 2);
-    EXPECT_FALSE(measured->stopReason.empty());
+    EXPECT_FALSE(measured->stopReason == tuning::EndReason::None);
     EXPECT_FALSE(measured->evidence.empty());
 }
 
@@ -203,7 +203,7 @@ TEST(FrequencyResponse, StopsWhereSomebodyStopsIt)
         measureFrequencyResponse(
             *bench.device, bench.bench.session.stream(*bench.device), *plan, plant, bench.surroundings));
     ASSERT_TRUE(measured) << measured.error().text();
-    EXPECT_EQ(measured->stopReason, "interrupted");
+    EXPECT_EQ(measured->stopReason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(measured->stopped);
     EXPECT_TRUE(measured->points.empty());
 }

@@ -37,7 +37,7 @@ template <class Feed> std::optional<Trip> run(const GuardPlan &plan, int samples
     return std::nullopt;
 }
 
-void expectTrip(const std::optional<Trip> &trip, Guard guard, Instant at, std::string_view number)
+void expectTrip(const std::optional<Trip> &trip, EndReason guard, Instant at, std::string_view number)
 {
     ASSERT_TRUE(trip) << toString(guard);
     EXPECT_EQ(trip->guard, guard) << toString(trip->guard);
@@ -49,7 +49,7 @@ TEST(Guards, TravelTripsBeforeTheMotorCanOnlyStopBeyondIt)
 {
     // 2000 counts/s, stopped within 155 ms: 310 counts of way
     const auto trip = run(plan(), 100, [](Guards &g, Instant t, int i) { return g.position(t, 200.0 + 20.0 * i); });
-    expectTrip(trip, Guard::Travel, start + 350ms, "1000 are allowed");
+    expectTrip(trip, EndReason::Travel, start + 350ms, "1000 are allowed");
     EXPECT_FALSE(run(plan(), 200, [](Guards &g, Instant t, int) { return g.position(t, 1200.0); }));
     EXPECT_TRUE(run(plan(), 1, [](Guards &g, Instant t, int) { return g.position(t, -801.0); }));
 }
@@ -72,15 +72,15 @@ TEST(Guards, SpeedTripsAboveOneFifthMoreThanPlanned)
 {
     const auto at = [](double speed) { return [speed](Guards &g, Instant t, int) { return g.velocity(t, speed); }; };
     EXPECT_FALSE(run(plan(), 10, at(-6000.0)));
-    expectTrip(run(plan(), 10, at(-6001.0)), Guard::Speed, start, "6001");
+    expectTrip(run(plan(), 10, at(-6001.0)), EndReason::Speed, start, "6001");
 }
 
 TEST(Guards, CurrentTripsAfterAHundredMillisecondsAboveOrAtOnceFarAbove)
 {
     expectTrip(run(plan(), 100, [](Guards &g, Instant t, int i) { return g.current(t, i < 20 ? 9.0 : -11.0); }),
-        Guard::Current, start + 300ms, "100 ms");
+        EndReason::Current, start + 300ms, "100 ms");
     expectTrip(run(plan(), 100, [](Guards &g, Instant t, int i) { return g.current(t, i < 20 ? 9.0 : 15.1); }),
-        Guard::Current, start + 200ms, "15.1");
+        EndReason::Current, start + 200ms, "15.1");
     EXPECT_FALSE(run(plan(), 900, [](Guards &g, Instant t, int i) { return g.current(t, i % 10 == 0 ? 2.0 : 10.4); }));
 }
 
@@ -95,7 +95,7 @@ TEST(Guards, AMotorThatRestsIsHeardAndHasNoCurrent)
 
 TEST(Guards, EnergyTripsAfterTheHeatOfTenSecondsAtTheLimit)
 {
-    expectTrip(run(plan(), 2000, [](Guards &g, Instant t, int) { return g.current(t, 9.9); }), Guard::Energy,
+    expectTrip(run(plan(), 2000, [](Guards &g, Instant t, int) { return g.current(t, 9.9); }), EndReason::Energy,
         start + 10210ms, "10 s are allowed");
     EXPECT_FALSE(run(plan(), 2000, [](Guards &g, Instant t, int) { return g.current(t, 7.0); }));
 }
@@ -106,12 +106,13 @@ TEST(Guards, DutyTemperatureAndSupplyTripAtTheirLimits)
     limits.lowestBus = 6.0;
     limits.highestBus = 14.0;
     EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.duty(t, -0.51); }));
-    expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.duty(t, -0.53); }), Guard::Duty, start, "53 %");
+    expectTrip(
+        run(limits, 5, [](Guards &g, Instant t, int) { return g.duty(t, -0.53); }), EndReason::Duty, start, "53 %");
     EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.temperature(t, 75.0); }));
-    expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.temperature(t, 75.5); }), Guard::Temperature,
+    expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.temperature(t, 75.5); }), EndReason::Temperature,
         start, "75.5");
     EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 14.0); }));
-    expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 14.1); }), Guard::BusVoltage,
+    expectTrip(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 14.1); }), EndReason::BusVoltage,
         start, "14.1");
     EXPECT_FALSE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 6.0); }));
     EXPECT_TRUE(run(limits, 5, [](Guards &g, Instant t, int) { return g.busVoltage(t, 5.9); }));
@@ -129,7 +130,7 @@ TEST(Guards, WrongDirectionTripsAfterFiveSamplesBeyondTenCounts)
             return g.position(t, 200.0 + step * i);
         };
     };
-    expectTrip(run(plan(), 100, pushed(0.3, -4.0)), Guard::WrongDirection, start + 70ms, "counts down at 30 %");
+    expectTrip(run(plan(), 100, pushed(0.3, -4.0)), EndReason::WrongDirection, start + 70ms, "counts down at 30 %");
     EXPECT_TRUE(run(plan(), 100, pushed(-0.3, 4.0)));
     EXPECT_FALSE(run(plan(), 100, pushed(-0.3, -4.0)));
     // a motor that is braked goes on for a while, but not faster
@@ -150,7 +151,7 @@ TEST(Guards, NoMotionTripsAfterHalfASecondOfPushing)
             return g.position(t, 200.0 + (i % 2));
         };
     };
-    expectTrip(run(plan(), 100, still(0.16)), Guard::NoMotion, start + 500ms, "16 % duty");
+    expectTrip(run(plan(), 100, still(0.16)), EndReason::NoMotion, start + 500ms, "16 % duty");
     EXPECT_FALSE(run(plan(), 300, still(0.14))) << "three times the friction is not reached";
 }
 
@@ -165,8 +166,8 @@ TEST(Guards, WithoutADutyToLookAtALargeErrorStandsForIt)
             return g.position(t, 200.0 + step * i);
         };
     };
-    expectTrip(run(blind, 100, away(300.0, 0.0)), Guard::NoMotion, start + 500ms, "half a step");
-    expectTrip(run(blind, 100, away(300.0, -4.0)), Guard::WrongDirection, start + 70ms, "down");
+    expectTrip(run(blind, 100, away(300.0, 0.0)), EndReason::NoMotion, start + 500ms, "half a step");
+    expectTrip(run(blind, 100, away(300.0, -4.0)), EndReason::WrongDirection, start + 70ms, "down");
     EXPECT_FALSE(run(blind, 100, away(250.0, 0.0))) << "half a step is not more than half a step";
     EXPECT_TRUE(run(blind, 100, away(250.1, 0.0)));
     EXPECT_FALSE(run(plan(), 100, away(300.0, 0.0))) << "its duty is known, and is none";
@@ -185,7 +186,7 @@ TEST(Guards, AnIntegralThatIsKnownToBeSlowHasThatMuchLongerToMoveItsMotor)
             g.target(1000.0);
         return g.position(t, 200.0);
     };
-    expectTrip(run(blind, 200, stands), Guard::NoMotion, start + 1200ms, "half a step");
+    expectTrip(run(blind, 200, stands), EndReason::NoMotion, start + 1200ms, "half a step");
 }
 
 TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
@@ -196,16 +197,16 @@ TEST(Guards, OscillationTripsWhenALoopSwingsItselfUpOrHitsBothEnds)
         };
     };
     const auto grown = run(plan(), 200, swing(1.2));
-    expectTrip(grown, Guard::Oscillation, start + 600ms, "6 swings");
+    expectTrip(grown, EndReason::Oscillation, start + 600ms, "6 swings");
     EXPECT_FALSE(run(plan(), 200, swing(0.9)));
     EXPECT_FALSE(run(plan(), 200, swing(1.0)));
     GuardPlan noisy = plan();
     noisy.noise = 40.0; // swings of 60 and more: six of them may be noise as long as they are less than 200
     EXPECT_FALSE(run(noisy, 70, swing(1.2)));
-    expectTrip(run(noisy, 200, swing(1.2)), Guard::Oscillation, start + 1300ms, "6 swings");
+    expectTrip(run(noisy, 200, swing(1.2)), EndReason::Oscillation, start + 1300ms, "6 swings");
     GuardPlan wide = plan();
     const auto flipping = run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.4 : -0.4); });
-    expectTrip(flipping, Guard::Oscillation, start + 420ms, "21 times");
+    expectTrip(flipping, EndReason::Oscillation, start + 420ms, "21 times");
     EXPECT_FALSE(run(wide, 200, [](Guards &g, Instant t, int i) { return g.duty(t, i % 4 < 2 ? 0.2 : -0.2); }));
 }
 
@@ -220,7 +221,7 @@ TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
         };
     };
     const auto lasting = run(blind, 100, swinging(10.0, 1.0));
-    expectTrip(lasting, Guard::Oscillation, start + 240ms, "25 swings");
+    expectTrip(lasting, EndReason::Oscillation, start + 240ms, "25 swings");
     EXPECT_FALSE(run(blind, 100, swinging(14.0, 0.9))) << "it comes to rest";
     EXPECT_FALSE(run(blind, 100, swinging(1.0, 1.0))) << "of a count or two";
     GuardPlan seen = blind;
@@ -236,7 +237,7 @@ TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
     Guards silent(plan(), start);
     EXPECT_FALSE(silent.position(start + 50ms, 1.0));
     EXPECT_FALSE(silent.look(start + 150ms, 10, 0));
-    expectTrip(silent.look(start + 155ms, 10, 0), Guard::Link, start + 150ms, "105 ms");
+    expectTrip(silent.look(start + 155ms, 10, 0), EndReason::Link, start + 150ms, "105 ms");
     EXPECT_FALSE(silent.look(start + 300ms, 10, 0)) << "one trip is all";
 
     GuardPlan slow = plan();
@@ -261,7 +262,7 @@ TEST(Guards, LinkTripsAfterSilenceAndAfterLoss)
     };
     const auto trip = run(plan(), 100, lossy(6));
     ASSERT_TRUE(trip);
-    EXPECT_EQ(trip->guard, Guard::Link);
+    EXPECT_EQ(trip->guard, EndReason::Link);
     EXPECT_FALSE(run(plan(), 100, lossy(4)));
 }
 
@@ -291,7 +292,7 @@ TEST(Guards, APositionThatIsSilentAloneIsALostLink)
         }
         EXPECT_FALSE(guards.look(start + i * 10ms, 10, 0));
     }
-    expectTrip(guards.look(start + 155ms, 10, 0), Guard::Link, start + 150ms, "no position for 105 ms");
+    expectTrip(guards.look(start + 155ms, 10, 0), EndReason::Link, start + 150ms, "no position for 105 ms");
 }
 
 TEST(Guards, TimeTripsAtHalfAsLongAgainAsPlanned)
@@ -301,7 +302,7 @@ TEST(Guards, TimeTripsAtHalfAsLongAgainAsPlanned)
         EXPECT_FALSE(guards.position(start + i * 10ms, 200.0));
         EXPECT_FALSE(guards.look(start + i * 10ms, static_cast<std::uint64_t>(i), 0));
     }
-    expectTrip(guards.look(start + 6005ms, 600, 0), Guard::Time, start + 6s, "1.5 × 4 s");
+    expectTrip(guards.look(start + 6005ms, 600, 0), EndReason::Time, start + 6s, "1.5 × 4 s");
 }
 
 } // namespace

@@ -35,7 +35,7 @@ TEST(Interruption, BeforeTheFirstPushLeavesTheMotorAlone)
         timer.startIn(moment, [&bench] { bench.interruption.interrupt(); });
         EXPECT_FALSE(drives(bench, task)) << moment / 1ms << " ms";
         ASSERT_TRUE(task.result()) << task.result().error().text();
-        EXPECT_EQ(task.result()->reason, "interrupted");
+        EXPECT_EQ(task.result()->reason, tuning::EndReason::Interrupted);
         EXPECT_TRUE(task.result()->stopped);
     }
 }
@@ -53,7 +53,7 @@ TEST(Interruption, WhileTheShaftIsWaitedForLeavesTheMotorAlone)
     bench.simulator()->disturb("load-torque", 0.0);
     EXPECT_FALSE(drives(bench, task));
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "interrupted");
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::Interrupted);
 }
 
 TEST(Interruption, BeforeTheGainsOfAnExperimentLeavesThemAsTheyAre)
@@ -69,7 +69,7 @@ TEST(Interruption, BeforeTheGainsOfAnExperimentLeavesThemAsTheyAre)
     };
     const auto trial = bench.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "interrupted");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Interrupted);
     EXPECT_EQ(rawOf(bench, "slot0.p"), before);
     EXPECT_TRUE(bench.journal.owed.empty());
 }
@@ -86,7 +86,7 @@ TEST(Interruption, BeforeTheGainsAreWrittenOwesNothingWhateverTheMotorDoes)
     };
     const auto trial = bench.run(plan);
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "interrupted");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Interrupted);
     EXPECT_FALSE(trial->stopped) << "nobody hears it";
     EXPECT_TRUE(trial->notPutBack.empty()) << trial->notPutBack.english();
     EXPECT_TRUE(bench.journal.owed.empty());
@@ -106,7 +106,7 @@ TEST(Interruption, BeforeAPositionIsZeroedLeavesTheMotorAlone)
     task.start();
     EXPECT_FALSE(drives(bench, task));
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "interrupted");
+    EXPECT_EQ(task.result()->reason, tuning::EndReason::Interrupted);
 }
 
 /// The board's search for its scales begins with what no stream tells of.
@@ -128,7 +128,7 @@ TEST(Interruption, BeforeASearchForScalesEndsTheTuningAtOnce)
         EXPECT_FALSE(drives(bench, task)) << moment / 1ms << " ms";
         ASSERT_TRUE(task.result()) << task.result().error().text();
         EXPECT_EQ(task.result()->result, TuneResult::Stopped);
-        EXPECT_EQ(task.result()->stopReason, "interrupted");
+        EXPECT_EQ(task.result()->stopReason, tuning::EndReason::Interrupted);
         EXPECT_TRUE(task.result()->stopped);
         EXPECT_LT(bench.bench.clock.now() - begin, 10s);
     }
@@ -152,7 +152,7 @@ TEST(Interruption, WhileAProposalIsOnlyComputedEndsTheTuningToo)
     EXPECT_FALSE(drives(bench, task));
     ASSERT_TRUE(task.result()) << task.result().error().text();
     EXPECT_EQ(task.result()->result, TuneResult::Stopped);
-    EXPECT_EQ(task.result()->stopReason, "interrupted");
+    EXPECT_EQ(task.result()->stopReason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(task.result()->stopped);
     EXPECT_TRUE(task.result()->proposed.changes.empty());
 }
@@ -188,7 +188,7 @@ TEST(Interruption, AfterTheLastStepOfTheLastProofKeepsNoGains)
     ASSERT_TRUE(proven.bench.bench.clock.runUntil([&] { return proven.task.isFinished(); }, 2min));
     ASSERT_TRUE(proven.task.result()) << proven.task.result().error().text();
     EXPECT_EQ(proven.task.result()->result, TuneResult::Stopped) << proven.task.result()->evidence;
-    EXPECT_EQ(proven.task.result()->stopReason, "interrupted");
+    EXPECT_EQ(proven.task.result()->stopReason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(proven.task.result()->stopped);
     EXPECT_EQ(rawOf(proven.bench, "slot0.p"), proven.p);
     EXPECT_EQ(rawOf(proven.bench, "slot1.p"), proven.other);
@@ -206,7 +206,7 @@ TEST(Interruption, WhileWhatWasProvenIsWrittenTakesItBack)
     ASSERT_TRUE(proven.bench.bench.clock.runUntil([&] { return proven.task.isFinished(); }, 2min));
     ASSERT_TRUE(proven.task.result()) << proven.task.result().error().text();
     EXPECT_EQ(proven.task.result()->result, TuneResult::Stopped) << proven.task.result()->evidence;
-    EXPECT_EQ(proven.task.result()->stopReason, "interrupted");
+    EXPECT_EQ(proven.task.result()->stopReason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(proven.task.result()->notPutBack.empty());
     EXPECT_EQ(rawOf(proven.bench, "slot0.p"), proven.p);
     EXPECT_TRUE(proven.bench.journal.owed.empty());

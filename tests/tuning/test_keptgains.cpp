@@ -181,7 +181,7 @@ TEST(Tuning, IsStoppedByAnotherMasterBetweenTwoOfItsExperiments)
     ASSERT_TRUE(tuned.task.result()) << tuned.task.result().error().text();
     const TuneReport &report = *tuned.task.result();
     EXPECT_EQ(report.result, TuneResult::Stopped) << report.evidence.english();
-    EXPECT_EQ(report.stopReason, "foreign master");
+    EXPECT_EQ(report.stopReason, tuning::EndReason::ForeignMaster);
     EXPECT_EQ(report.stopped, tuned.bench.device->isSeenStopped());
 }
 
@@ -221,7 +221,7 @@ TEST(Tuning, IsStoppedWhereItsMotorIsHeardAndNotSeenToStand)
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_FALSE(report->stopped);
     EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
-    EXPECT_EQ(report->stopReason, "unconfirmed");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::Unconfirmed);
 }
 
 } // namespace

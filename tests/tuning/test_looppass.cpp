@@ -141,8 +141,8 @@ TEST(LoopPass, ADThatActsTheOtherWayRoundIsNamedByTheFirstPositionThatSwings)
     ASSERT_TRUE(bench.simulator()->disturb("derivative-inverted", 1.0));
     const auto report = tune(bench, keeping(Mode::Position));
     ASSERT_TRUE(report) << report.error().text();
-    std::printf("%s, %s: %s\n", std::string(toString(report->result)).c_str(), report->stopReason.c_str(),
-        report->evidence.english().c_str());
+    std::printf("%s, %s: %s\n", std::string(toString(report->result)).c_str(),
+        std::string(toString(report->stopReason)).c_str(), report->evidence.english().c_str());
     EXPECT_TRUE(report->result != TuneResult::Kept || report->measured.overshoot.value_or(1.0) <= 0.075);
     EXPECT_NE(report->evidence.english().find("its D acts the other way round"), std::string::npos);
     EXPECT_TRUE(report->stopped);

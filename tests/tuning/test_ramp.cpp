@@ -308,7 +308,7 @@ TEST(FrictionRamp, IsAnnouncedWithDutySpeedAndTravelAndStopsAtOnce)
     const auto report = tune(bench, plan);
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->result, TuneResult::Stopped);
-    EXPECT_EQ(report->stopReason, "interrupted");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted);
     EXPECT_TRUE(report->stopped);
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     const auto note = std::find_if(bench.notes.begin(), bench.notes.end(), isRampNote);

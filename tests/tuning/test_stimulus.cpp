@@ -135,7 +135,7 @@ TEST(Stimulus, ARampIsNoOscillationOfTheLoopOnAnyFamily)
             bench.bench.clock.advance(2s + phase * 2ms);
             const auto trial = bench.run(plan);
             ASSERT_TRUE(trial) << trial.error().text();
-            EXPECT_EQ(trial->reason, "done") << name << ": " << trial->detail;
+            EXPECT_EQ(trial->reason, tuning::EndReason::Done) << name << ": " << trial->detail;
         }
     }
 }
@@ -158,7 +158,7 @@ TEST(Stimulus, ARampGoesOnWithItsNewestSetPointWhereTheProgramWasHeldUp)
     unit.clock.stall(60ms);
     ASSERT_TRUE(passes([&] { return task.isFinished(); }));
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    ASSERT_EQ(task.result()->reason, "done") << task.result()->detail;
+    ASSERT_EQ(task.result()->reason, tuning::EndReason::Done) << task.result()->detail;
     const std::vector<double> told = task.result()->signal("setpoint")->trace.t;
     EXPECT_GT(told.size(), 300U) << "every 5 ms";
     for (std::size_t i = 2; i < told.size(); ++i)

@@ -28,7 +28,7 @@ TEST_P(StoredGains, OfABenchDriveStepWell)
     ExperimentBench bench("sim:can", "abstractdc", GetParam().address);
     const auto trial = bench.run(stepTo(GetParam().mode, GetParam().to));
     ASSERT_TRUE(trial) << trial.error().text();
-    EXPECT_EQ(trial->reason, "done");
+    EXPECT_EQ(trial->reason, tuning::EndReason::Done);
     EXPECT_LE(trial->metrics.overshoot.value_or(1.0), 0.05);
     EXPECT_LE(std::abs(trial->metrics.sse.value_or(1.0)), 0.05);
     EXPECT_LE(trial->metrics.rise.value_or(9.0), 0.5);

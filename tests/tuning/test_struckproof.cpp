@@ -193,9 +193,10 @@ TEST_P(StruckProof, EndsInItsWordAndItsStatusAndTheUnitHasItsGainsOrIsOwedThem)
     const TuneReport report = proven.finish();
     std::printf("  %s%s %s, %s: %s '%s': %s\n", cell.family.c_str(), cell.dialect.c_str(),
         std::string(toString(cell.loop)).c_str(), std::string(strike.what).c_str(),
-        std::string(toString(report.result)).c_str(), report.stopReason.c_str(), report.evidence.english().c_str());
+        std::string(toString(report.result)).c_str(), std::string(toString(report.stopReason)).c_str(),
+        report.evidence.english().c_str());
     EXPECT_EQ(report.result, strike.reason.empty() ? TuneResult::Refused : TuneResult::Stopped);
-    EXPECT_EQ(report.stopReason, strike.reason);
+    EXPECT_EQ(toString(report.stopReason), strike.reason);
     EXPECT_EQ(statusOf(report), strike.status);
     EXPECT_NE(report.evidence.english().find(strike.says), std::string::npos) << report.evidence;
     const bool isLost = strike.reason == "link";

@@ -60,8 +60,8 @@ TEST(Travel, AStopThatEndsAnExperimentBrakesWhateverTheButtonOfADmc60cSays)
     const auto trial = bench.run(pushOf(0.25, 100'000.0));
     ASSERT_TRUE(trial) << trial.error().text();
     bench.bench.clock.advance(20s);
-    std::printf("  %s: %.0f counts of 100000\n", trial->reason.c_str(), farthest.reached());
-    EXPECT_EQ(trial->reason, "travel") << trial->detail;
+    std::printf("  %s: %.0f counts of 100000\n", std::string(toString(trial->reason)).c_str(), farthest.reached());
+    EXPECT_EQ(trial->reason, tuning::EndReason::Travel) << trial->detail;
     EXPECT_LE(farthest.reached(), 100'000.0);
 }
 
@@ -74,8 +74,8 @@ TEST(Travel, OfAMotorWhoseLagIsKnownIsNotLeftByWhatRollsOn)
     const auto trial = bench.run(pushOf(0.5, 600'000.0));
     ASSERT_TRUE(trial) << trial.error().text();
     bench.bench.clock.advance(20s);
-    std::printf("  %s: %.0f counts of 600000\n", trial->reason.c_str(), farthest.reached());
-    EXPECT_EQ(trial->reason, "travel") << trial->detail;
+    std::printf("  %s: %.0f counts of 600000\n", std::string(toString(trial->reason)).c_str(), farthest.reached());
+    EXPECT_EQ(trial->reason, tuning::EndReason::Travel) << trial->detail;
     EXPECT_LE(farthest.reached(), 600'000.0);
     EXPECT_GE(farthest.reached(), 400'000.0);
 }
@@ -88,14 +88,14 @@ TEST(Travel, OfExperimentsThatShareTheirStartIsCountedFromThere)
     const Farthest farthest(bench);
     ExperimentPlan push = pushOf(0.25, 100'000.0);
     push.seconds = 0.2;
-    std::string reason = "done";
+    tuning::EndReason reason = tuning::EndReason::Done;
     int pushes = 0;
-    for (; reason == "done" && pushes < 50; ++pushes) {
+    for (; reason == tuning::EndReason::Done && pushes < 50; ++pushes) {
         const auto trial = bench.run(push);
         ASSERT_TRUE(trial) << trial.error().text();
         reason = trial->reason;
     }
-    EXPECT_EQ(reason, "travel");
+    EXPECT_EQ(reason, tuning::EndReason::Travel);
     EXPECT_GT(pushes, 1) << "none goes so far by itself";
     EXPECT_LE(farthest.reached(), 100'000.0);
     ExperimentPlan step = test::stepTo(Mode::Velocity, 40'000.0);
@@ -107,7 +107,7 @@ TEST(Travel, OfExperimentsThatShareTheirStartIsCountedFromThere)
     step.to = -step.to;
     const auto back = bench.run(step);
     ASSERT_TRUE(back) << back.error().text();
-    EXPECT_EQ(back->reason, "done") << back->detail;
+    EXPECT_EQ(back->reason, tuning::EndReason::Done) << back->detail;
 }
 
 TEST(Travel, ATuningTellsTheExperimentsThatFollowHowSlowlyItsMotorStops)

@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using namespace test;
 
-constexpr Duration handling = 25ms; // A10
+constexpr Duration handling = 25ms; // docs/tuning-results.md#a10
 
 struct TripBench : ExperimentBench {
     using ExperimentBench::ExperimentBench;
@@ -385,7 +385,7 @@ TEST_P(EveryGuard, StopsWithinTwoPeriodsOfItsConditionAndTheGainsAreAsBefore)
     const Outcome outcome = play(scenario);
     const double after = inSeconds(outcome.stop - outcome.condition) * 1e3;
     const double limit = inSeconds(2 * outcome.telemetry + handling) * 1e3;
-    EXPECT_EQ(outcome.trial.reason, scenario.guard) << outcome.trial.detail;
+    EXPECT_EQ(toString(outcome.trial.reason), scenario.guard) << outcome.trial.detail;
     EXPECT_LE(after, limit);
     const bool early = after < -limit && scenario.guard != "link"; // whose device may have noticed first
     EXPECT_FALSE(early) << "before its condition";
@@ -415,7 +415,7 @@ TEST(Trips, OfTheTimeComesWhenTheStoryIsHeldUp)
     ASSERT_TRUE(stream.start(setPoint, experimentLease));
     ASSERT_TRUE(bench.bench.clock.runUntil([&stream] { return !stream.isRunning(); }, 20s));
     ASSERT_TRUE(recorder.trip());
-    EXPECT_EQ(recorder.trip()->guard, Guard::Time) << recorder.trip()->detail;
+    EXPECT_EQ(recorder.trip()->guard, EndReason::Time) << recorder.trip()->detail;
     const Duration after = recorder.stoppedAt() - start - 3s;
     EXPECT_LE(after, handling);
     EXPECT_GE(after, 0ms);
@@ -458,7 +458,7 @@ TEST(Trips, OfALeaseThatNobodyRenewsComeDuringEveryProfile)
         bench.renewal.stop();
         ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 60s));
         ASSERT_TRUE(task.result());
-        EXPECT_EQ(task.result()->reason, "user") << toString(profile);
+        EXPECT_EQ(task.result()->reason, tuning::EndReason::User) << toString(profile);
         EXPECT_LE(watch.stoppedAt() - hung, experimentLease + handling) << toString(profile);
         EXPECT_EQ(*run(bench.bench.clock, bench.device->read(p)), *before);
         std::printf("| dmc60c | user | the window hangs during a %s | %.0f | 25 | at once |\n",

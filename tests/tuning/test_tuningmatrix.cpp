@@ -64,7 +64,7 @@ TEST(TuningMatrix, ThreeMotorsOnThreeDrivesAreTunedOrRefusedWithAReason)
         std::printf("  %-8s %5.1f s of each on the average, %5.1f s of the longest\n", stage.c_str(), seconds / all,
             longest.stages[stage]);
     EXPECT_GE(100 * kept, 97 * all);
-    EXPECT_LE(longest.seconds, 60.0) << textOf(longest); // A13
+    EXPECT_LE(longest.seconds, 60.0) << textOf(longest); // docs/tuning-results.md#a13
 }
 
 TEST(TuningMatrix, APushWhoseOrderWasLostOnItsWayIsLeftOut)
@@ -309,9 +309,9 @@ void expectEndsWith(const std::string &drive, const Trouble &trouble, const std:
     ASSERT_TRUE(report) << drive << ' ' << trouble.what << ": " << report.error().text();
     std::printf("  %-12s %-16s after %4.1f s: %s, %s: %s\n", (drive + dialect).c_str(), trouble.what,
         std::chrono::duration<double>(trouble.after).count(), std::string(toString(report->result)).c_str(),
-        report->stopReason.c_str(), report->evidence.english().c_str());
+        std::string(toString(report->stopReason)).c_str(), report->evidence.english().c_str());
     EXPECT_EQ(report->result, TuneResult::Stopped) << drive << ' ' << trouble.what;
-    EXPECT_EQ(report->stopReason, trouble.reason) << drive << ' ' << trouble.what;
+    EXPECT_EQ(toString(report->stopReason), trouble.reason) << drive << ' ' << trouble.what;
     if (std::string_view(trouble.reason) == "link")
         return; // nobody hears whether it stands
     EXPECT_TRUE(report->stopped) << drive << ' ' << trouble.what;
@@ -372,7 +372,7 @@ TEST(TuneTrouble, ALimitSwitchThatWasMetIsNamed)
     ASSERT_TRUE(unit.simulator().disturb("forward-limit", 1.0));
     const auto report = unit.tune({});
     ASSERT_TRUE(report) << report.error().text();
-    EXPECT_EQ(report->stopReason, "no motion");
+    EXPECT_EQ(report->stopReason, tuning::EndReason::NoMotion);
     EXPECT_NE(report->evidence.english().find("a limit switch was met"), std::string::npos) << report->evidence;
 }
 
@@ -398,10 +398,10 @@ TEST(TuneTrouble, ACurrentLimitThatIsTooLowIsNamedAndNothingIsWritten)
         const auto report = unit.tune(plan);
         ASSERT_TRUE(report) << report.error().text();
         std::printf("  %s: %s '%s': %s\n", std::string(toString(loop)).c_str(),
-            std::string(toString(report->result)).c_str(), report->stopReason.c_str(),
+            std::string(toString(report->result)).c_str(), std::string(toString(report->stopReason)).c_str(),
             report->evidence.english().c_str());
         EXPECT_EQ(report->result, TuneResult::Stopped);
-        EXPECT_EQ(report->stopReason, "current");
+        EXPECT_EQ(report->stopReason, tuning::EndReason::Current);
         EXPECT_NE(report->evidence.english().find(" A"), std::string::npos) << report->evidence;
         EXPECT_TRUE(report->stopped);
         EXPECT_FALSE(unit.simulator().isOutputOn());
@@ -421,7 +421,7 @@ TEST(TuneTrouble, AnotherMasterEndsItAndTheGainsStay)
     const auto report = unit.tune({});
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
-    EXPECT_EQ(report->stopReason, "foreign master") << report->evidence;
+    EXPECT_EQ(report->stopReason, tuning::EndReason::ForeignMaster) << report->evidence;
     EXPECT_EQ(unit.gainsInUnit(), before);
 }
 

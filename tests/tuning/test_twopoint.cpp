@@ -303,7 +303,7 @@ TEST(TwoPointTuning, TunesSupermodifiedNodesOfBothScales)
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
         EXPECT_TRUE(report->stopped);
-        EXPECT_LE(report->seconds, 60.0); // A13
+        EXPECT_LE(report->seconds, 60.0); // docs/tuning-results.md#a13
         ASSERT_TRUE(report->motor);
         for (const Gate &gate : report->gates)
             std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.english().c_str());
@@ -358,7 +358,7 @@ TEST(TwoPointTuning, TheUserEndsItAtAnyPointAndTheGainsStay)
             std::chrono::milliseconds(std::lround(1000.0 * seconds)), [&bench] { bench.interruption.interrupt(); });
         const auto report = test::tune(bench, test::planOf(Mode::Position));
         ASSERT_TRUE(report) << report.error().text();
-        EXPECT_EQ(report->stopReason, "interrupted") << seconds;
+        EXPECT_EQ(report->stopReason, tuning::EndReason::Interrupted) << seconds;
         EXPECT_TRUE(report->stopped);
         EXPECT_EQ(gainsOf(bench), before) << seconds;
     }

@@ -9,7 +9,7 @@ using namespace mb;
 
 namespace {
 
-LinkListing listing(const char *path, const char *state, const char *detail, const Diagnosis &found = {})
+LinkListing listing(const char *path, ListingState state, const char *detail, const Diagnosis &found = {})
 {
     return {{"socketcan", path, {}}, LinkKind::Can, state,
         found.isHealthy() ? Message::verbatim(detail) : found.message(), found.isHealthy(), found, false};
@@ -45,8 +45,8 @@ QWidget *doctorPage(const ThemeSource &theme, bool empty)
         {}};
     const Diagnosis gone{Ailment::Gone, say("can1 is gone"),
         say("plug the adapter in again; the link is opened by itself as soon as it is up"), {}};
-    workbench->links
-        = {listing("can0", "up", "gs_usb, 1 Mbit/s, sample point 87.5 %"), listing("can2", "down", "", down)};
+    workbench->links = {listing("can0", ListingState::Up, "gs_usb, 1 Mbit/s, sample point 87.5 %"),
+        listing("can2", ListingState::Down, "", down)};
     if (!empty)
         workbench->shot.links = {link("socketcan:can0", "can0", LinkState::Open, alone),
             link("socketcan:can1", "can1", LinkState::Lost, gone)};

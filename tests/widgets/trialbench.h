@@ -29,7 +29,7 @@ inline tuning::Trial responseOf(
     trial.repeat = plan.repeat;
     trial.envelope = {1e6, 1e6, 60.0, 0.55};
     trial.gains = {{"slot0.p", 1.0 + damping}, {"slot0.i", 0.003}};
-    trial.reason = "done";
+    trial.reason = tuning::EndReason::Done;
     trial.stopped = true;
     trial.holds = {{0.0, 1.0}};
     trial.returns = {{1.0, 2.0}};

@@ -27,9 +27,9 @@ std::vector<LinkListing> listings()
     const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
     return {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.message(), false, down, false},
         {{"socketcan", "can1", {}}, LinkKind::Can, "up", Message::verbatim("gs_usb, 1 Mbit/s"), true, {}, false},
-        {{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, "available",
+        {{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, ListingState::Available,
             Message::verbatim("FTDI FT232R USB UART, serial number A50285BI, 0403:6001"), true, {}, false},
-        {{"spidev", "/dev/spidev0.0", {}}, LinkKind::Spi, "available", {}, true, {}, false}};
+        {{"spidev", "/dev/spidev0.0", {}}, LinkKind::Spi, ListingState::Available, {}, true, {}, false}};
 }
 
 struct DialogBench {
@@ -101,7 +101,7 @@ void AddLinkTest::noRowIsWithoutAName()
 {
     const Diagnosis none{Ailment::NotThere, say("there is no CAN interface"), say("plug in an adapter"), {}};
     const std::vector<LinkListing> absent{
-        {{"socketcan", {}, {}}, LinkKind::Can, "absent", none.message(), false, none, false}};
+        {{"socketcan", {}, {}}, LinkKind::Can, ListingState::Absent, none.message(), false, none, false}};
     for (const LinkChoice &choice : linkChoices(absent, {}))
         QVERIFY2(!choice.name.isEmpty(), qPrintable(choice.words));
 }

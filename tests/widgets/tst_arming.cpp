@@ -192,7 +192,7 @@ void TestArming::anExperimentThatEndsIsNoEndOfWhatAnotherUnitDoes()
     QVERIFY2(!bench.arming.isMoving(), "a motion by hand is over at once, whatever another unit still does");
     bench.page->run();
     tuning::Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
-    trial.reason = "speed";
+    trial.reason = tuning::EndReason::Speed;
     planned.finished(trial);
     QVERIFY(bench.arming.isMoving());
     QCOMPARE(bench.arming.device(), DeviceId{2});

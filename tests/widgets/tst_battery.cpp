@@ -38,7 +38,7 @@ struct BatteryBench {
         dialog.show();
     }
     /// The step that runs ends with this overshoot.
-    void finish(double overshoot, const char *reason = "done", bool stopped = true)
+    void finish(double overshoot, tuning::EndReason reason = tuning::EndReason::Done, bool stopped = true)
     {
         const auto plan = workbench.given<orders::RunTrial>().back().plan;
         tuning::Trial trial;
@@ -96,7 +96,7 @@ void TestBattery::whatIsShownIsWhatIsRun()
     QVERIFY(bench.dialog.windowTitle().contains(bench.offer.motor));
     bench.dialog.run();
     QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.to, 16'000.0);
-    bench.finish(0.02, "speed");
+    bench.finish(0.02, tuning::EndReason::Speed);
     const QString ending = bench.dialog.words();
     bench.offer.battery = tuning::batteryOf(largest(), 0.0, false);
     bench.dialog.followOffer();
@@ -173,7 +173,7 @@ void TestBattery::aStopEndsItAndSaysSo()
     bench.arming.arm({1});
     bench.dialog.run();
     bench.finish(0.01);
-    bench.finish(0.02, "speed");
+    bench.finish(0.02, tuning::EndReason::Speed);
     QVERIFY(!bench.dialog.isRunning());
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
     QCOMPARE(bench.dialog.table().rowCount(), 3);
@@ -189,7 +189,7 @@ void TestBattery::aMotorThatIsNotSeenToStandEndsIt()
     bench.dialog.run();
     bench.finish(0.01);
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
-    bench.finish(0.02, "done", false);
+    bench.finish(0.02, tuning::EndReason::Done, false);
     QVERIFY(!bench.dialog.isRunning());
     QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
 }

@@ -266,7 +266,7 @@ void TestDesignPage::aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatW
     const auto without = curves();
     FrequencyResponse response;
     response.points = {{0.3, 340000.0, -10.0, 0.99, true}, {1.0, 280000.0, -37.0, 0.99, true}};
-    response.stopReason = "travel";
+    response.stopReason = EndReason::Travel;
     sweep->measure();
     const auto stopped = bench.workbench.given<orders::RunSweep>().back().finished;
     stopped(response);
@@ -275,7 +275,7 @@ void TestDesignPage::aFrequencyResponseIsOfTheMotorThatWasMeasuredAndOfNoneThatW
     sweep->measure();
     QCOMPARE(bench.workbench.given<orders::RunSweep>().size(), std::size_t(2));
     bench.selection.select({2});
-    response.stopReason.clear();
+    response.stopReason = EndReason::None;
     const auto finished = bench.workbench.given<orders::RunSweep>().back().finished;
     finished(response);
     bench.workbench.publish();
@@ -294,7 +294,7 @@ void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()
     bench.page->autotune();
     TuneReport stopped;
     stopped.result = TuneResult::Stopped;
-    stopped.stopReason = "interrupted";
+    stopped.stopReason = EndReason::Interrupted;
     bench.finish(stopped);
     bench.page->prove();
     QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(3));
@@ -352,7 +352,7 @@ void TestDesignPage::aGuardIsAStop()
     bench.page->identify();
     TuneReport stopped;
     stopped.result = TuneResult::Stopped;
-    stopped.stopReason = "travel";
+    stopped.stopReason = EndReason::Travel;
     stopped.evidence = say("20 001 counts from the start, 20 000 are allowed");
     bench.finish(stopped);
     QVERIFY(bench.arming.state() == LampState::Stopped);

@@ -27,11 +27,12 @@ private:
     {
         const Diagnosis found{
             Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
-        return {{"socketcan", "can0", {}}, LinkKind::Can, "down", found.message(), false, found, false};
+        return {{"socketcan", "can0", {}}, LinkKind::Can, ListingState::Down, found.message(), false, found, false};
     }
     [[nodiscard]] static LinkListing good()
     {
-        return {{"socketcan", "can1", {}}, LinkKind::Can, "up", Message::verbatim("gs_usb, 1 Mbit/s"), true, {}, false};
+        return {{"socketcan", "can1", {}}, LinkKind::Can, ListingState::Up, Message::verbatim("gs_usb, 1 Mbit/s"), true,
+            {}, false};
     }
     [[nodiscard]] static LinkView open(const char *address)
     {
@@ -156,7 +157,7 @@ void DoctorTest::absentInterfacesAreNoNewsWhileALinkIsOpen()
     test::FakeWorkbench bench;
     const Diagnosis none{
         Ailment::NoCan, say("this kernel has no CAN support"), say("load it"), "sudo modprobe can_raw"};
-    bench.links = {{{"socketcan", "", {}}, LinkKind::Can, "absent", none.message(), false, none, false}};
+    bench.links = {{{"socketcan", "", {}}, LinkKind::Can, ListingState::Absent, none.message(), false, none, false}};
     bench.shot.links = {open("sim:can")};
     DoctorCard card(bench, m_theme, false);
     card.follow();

@@ -271,7 +271,7 @@ void TestExperiments::aGuardLatchesTheStopAndSaysItsName()
     bench.page->run();
     const auto planned = bench.workbench.given<orders::RunTrial>().back();
     Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
-    trial.reason = "speed";
+    trial.reason = tuning::EndReason::Speed;
     trial.detail = say("speed 81000 counts/s is above 1.2 × 60000 counts/s");
     trial.flags = {"aborted"};
     planned.finished(trial);
@@ -339,7 +339,7 @@ void TestExperiments::haltEndsATrialAndStaysArmed()
     QVERIFY(bench.arming.isOnTrial()); // it still puts back what it has changed
     const auto planned = bench.workbench.given<orders::RunTrial>().back();
     Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
-    trial.reason = "interrupted";
+    trial.reason = tuning::EndReason::Interrupted;
     planned.finished(trial);
     QVERIFY(bench.arming.isArmed({1}) && !bench.arming.isMoving());
 }

@@ -28,7 +28,7 @@ KeptTrial stepped(const DeviceView &view)
     trial.stimulus = *tuning::Stimulus::make(tuning::Profile::Step, 0.0, 1000.0, {}, 0.02);
     trial.holds = {{0.0, 1.0}};
     trial.gains = {{"slot0.p", 0.5}};
-    trial.reason = "done";
+    trial.reason = tuning::EndReason::Done;
     tuning::Trace trace;
     for (int i = -10; i < 200; ++i)
         trace.add(0.005 * i, i < 0 ? 0.0 : 1000.0);

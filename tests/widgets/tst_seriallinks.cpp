@@ -164,9 +164,9 @@ void TestSerialLinks::theCardShowsRateAndRoundTrip()
 void TestSerialLinks::theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUsed()
 {
     FakeWorkbench workbench;
-    workbench.links.push_back({{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, "available",
+    workbench.links.push_back({{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, ListingState::Available,
         Message::verbatim("FTDI FT232R USB UART, serial number A50285BI, 0403:6001"), true});
-    workbench.links.push_back({{"serial", "/dev/ttyUSB1", {}}, LinkKind::Serial, "no-permission",
+    workbench.links.push_back({{"serial", "/dev/ttyUSB1", {}}, LinkKind::Serial, ListingState::NoPermission,
         Message::verbatim(
             "no permission to use /dev/ttyUSB1; become a member of its group: sudo usermod -aG dialout $USER"),
         false});

@@ -56,7 +56,7 @@ KeptTrial stepOf(const DeviceView &device, std::int64_t number, double overshoot
     row.number = number;
     row.trial.unit = device.unit;
     row.trial.mode = Mode::Velocity;
-    row.trial.reason = "done";
+    row.trial.reason = tuning::EndReason::Done;
     row.trial.metrics.overshoot = overshoot;
     return row;
 }
@@ -203,7 +203,7 @@ void StartTest::anInterruptedStepIsNone()
     bench.selection.select(bench.seven().id);
     bench.arming.arm(bench.seven().id);
     KeptTrial cut = stepOf(bench.seven(), 1, 0.0);
-    cut.trial.reason = "interrupted";
+    cut.trial.reason = tuning::EndReason::Interrupted;
     cut.trial.detail = Message::verbatim(heldAt);
     bench.workbench.book.kept = {cut};
     bench.workbench.shot.operations = {ended(1, bench.seven().id)};

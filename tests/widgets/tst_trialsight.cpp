@@ -65,12 +65,12 @@ void TestTrialSight::theStepsSayWhatIsDoneAndWhatIsNext()
     const auto &steps = *bench.page->findChild<TuneSteps *>();
     QVERIFY(!steps.isHidden());
     QCOMPARE(steps.next(), static_cast<int>(TuneSteps::Direction));
-    for (const char *const wrong : {"reversed", "no motion"}) {
+    for (const auto wrong : {DirectionVerdict::Reversed, DirectionVerdict::NoMotion}) {
         bench.device().profile.edit().verdicts["direction"] = wrong;
         bench.workbench.publish();
-        QVERIFY2(!steps.isDone(TuneSteps::Direction), wrong);
+        QVERIFY2(!steps.isDone(TuneSteps::Direction), toString(wrong).data());
     }
-    bench.device().profile.edit().verdicts["direction"] = "agrees";
+    bench.device().profile.edit().verdicts["direction"] = DirectionVerdict::Agrees;
     bench.choose(60'000.0);
     bench.arm();
     QTRY_VERIFY(steps.isDone(TuneSteps::Direction));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What ended a trial has words in the window, whatever it was.
-#include "experiment/guards.h"
 #include "experiment/verdict.h"
 #include "support/windowtests.h"
 #include "widgets/control/trialwords.h"
@@ -36,24 +35,20 @@ class TestTrialWords : public QObject {
 private Q_SLOTS:
     void initTestCase() { QCoreApplication::installTranslator(&m_brackets); }
     void cleanupTestCase() { QCoreApplication::removeTranslator(&m_brackets); }
-    void everyGuardHasWords();
+    void everyReasonHasWords();
     void everyEndOfTheSetPointsHasWords();
-    void whatIsNotKnownIsShownAsItIs();
 
 private:
     Brackets m_brackets;
 };
 
-void TestTrialWords::everyGuardHasWords()
+void TestTrialWords::everyReasonHasWords()
 {
-    int guards = 0;
-    for (auto guard = tuning::Guard::Travel; !tuning::toString(guard).empty(); guard = tuning::Guard(++guards)) {
-        tuning::Ending ending;
-        ending.trip = tuning::Trip{guard, {}, {}};
-        const QString words = wordsOf(ending);
+    for (int each = static_cast<int>(tuning::EndReason::Done); each <= static_cast<int>(tuning::EndReason::Unknown);
+         ++each) {
+        const QString words = guardText(static_cast<tuning::EndReason>(each));
         QVERIFY2(words.startsWith(QLatin1Char('[')), qPrintable(words));
     }
-    QVERIFY(guards > static_cast<int>(tuning::Guard::User));
 }
 
 void TestTrialWords::everyEndOfTheSetPointsHasWords()
@@ -67,11 +62,6 @@ void TestTrialWords::everyEndOfTheSetPointsHasWords()
         QVERIFY2(words.startsWith(QLatin1Char('[')), qPrintable(words));
     }
     QVERIFY(ends > static_cast<int>(End::Refused));
-}
-
-void TestTrialWords::whatIsNotKnownIsShownAsItIs()
-{
-    QCOMPARE(guardText("of a newer version"), QStringLiteral("of a newer version"));
 }
 
 MB_WINDOW_TEST(TestTrialWords);

@@ -36,19 +36,16 @@ QString kindWord(LinkChoice::Kind kind)
     }
 }
 
-QString stateWord(const std::string &state)
+QString stateWord(ListingState state)
 {
-    if (state == "up")
-        return LinkChoices::tr("up");
-    if (state == "down")
-        return LinkChoices::tr("switched off");
-    if (state == "bus-off")
-        return LinkChoices::tr("bus-off");
-    if (state == "no-permission")
-        return LinkChoices::tr("no permission");
-    if (state == "absent")
-        return LinkChoices::tr("not there");
-    return LinkChoices::tr("ready");
+    switch (state) {
+    case ListingState::Up: return LinkChoices::tr("up");
+    case ListingState::Down: return LinkChoices::tr("switched off");
+    case ListingState::BusOff: return LinkChoices::tr("bus-off");
+    case ListingState::NoPermission: return LinkChoices::tr("no permission");
+    case ListingState::Absent: return LinkChoices::tr("not there");
+    default: return LinkChoices::tr("ready");
+    }
 }
 
 LinkChoice choiceOf(const LinkListing &listing)

@@ -19,7 +19,7 @@ namespace mb {
 
 /// What an experiment ended by: `reason` as in Trial.
 struct TrialEnding {
-    std::string reason;
+    tuning::EndReason reason = tuning::EndReason::None;
     Message detail;
 };
 
@@ -77,6 +77,12 @@ bool isAnyMoving(const Snapshot &shot)
     });
 }
 
+/// What nothing has cut short is done.
+tuning::EndReason reasonOf(tuning::EndReason cutShort)
+{
+    return cutShort == tuning::EndReason::None ? tuning::EndReason::Done : cutShort;
+}
+
 TrialEnding endingOf(const tuning::Trial &trial)
 {
     return {trial.reason, trial.detail};
@@ -84,12 +90,12 @@ TrialEnding endingOf(const tuning::Trial &trial)
 
 TrialEnding endingOf(const tuning::TuneReport &report)
 {
-    return {report.stopReason.empty() ? "done" : report.stopReason, report.evidence};
+    return {reasonOf(report.stopReason), report.evidence};
 }
 
 TrialEnding endingOf(const tuning::FrequencyResponse &response)
 {
-    return {response.stopReason.empty() ? "done" : response.stopReason, response.evidence};
+    return {reasonOf(response.stopReason), response.evidence};
 }
 
 } // namespace
@@ -282,7 +288,7 @@ void Arming::trialEnded(DeviceId device, const Result<TrialEnding> &ending)
         return;
     if (!ending)
         m_workbench.report(Severity::Danger, titleIn(m_workbench.snapshot(), m_device), errorText(ending.error()));
-    if (!ending || ending->reason == "done" || ending->reason == "interrupted")
+    if (!ending || ending->reason == tuning::EndReason::Done || ending->reason == tuning::EndReason::Interrupted)
         enter(LampState::Armed);
     else
         enter(LampState::Stopped,

@@ -213,7 +213,7 @@ void BatteryDialog::ended(const Result<tuning::Trial> &trial, std::uint64_t armi
     m_running = false;
     if (!trial)
         say(tr("Ended: %1").arg(errorText(trial.error())));
-    else if (trial->reason != "done")
+    else if (trial->reason != tuning::EndReason::Done)
         say(tr("Ended by: %1").arg(guardText(trial->reason)));
     else if (!trial->stopped)
         say(tr("Ended: %1").arg(messageText(mb::say("the motor was not seen to stand"))));

@@ -114,7 +114,7 @@ QString TrialModel::useText()
 
 bool TrialModel::isClean(const tuning::Trial &trial)
 {
-    return trial.reason == "done" && trial.metrics.settle && !trial.has(tuning::flag::lostSamples)
+    return trial.reason == tuning::EndReason::Done && trial.metrics.settle && !trial.has(tuning::flag::lostSamples)
         && !trial.has(tuning::flag::saturated) && !trial.has(tuning::flag::currentLimit);
 }
 

@@ -30,7 +30,7 @@ constexpr double metricsShare = 0.4;
 constexpr double mostMetrics = 0.5;
 constexpr int roomBeside = 700; ///< for plot and metrics beside each other
 constexpr int leastBeside = 640;
-constexpr int roomyHeight = 620;
+constexpr int tallHeight = 620;
 
 } // namespace
 
@@ -101,7 +101,7 @@ void TrialsView::arrange()
     const Theme &theme = m_theme.theme();
     const bool beside = m_shown == Shown::All
         && width() >= theme.u(m_beside ? leastBeside : roomBeside); // a bar that comes and goes changes nothing
-    m_list->setRows(!beside ? 2 : height() > theme.u(roomyHeight) ? 5 : 3);
+    m_list->setRows(!beside ? 2 : height() > theme.u(tallHeight) ? 5 : 3);
     const int wished = std::min(static_cast<int>(width() * metricsShare), width() - theme.u(leastPlot));
     const int share = std::min(std::max(wished, m_metrics->leastWidth()), static_cast<int>(width() * mostMetrics));
     m_side->setFixedWidth(std::clamp(share, theme.u(leastMetrics), theme.u(metricsWidth)));
@@ -191,7 +191,7 @@ void TrialsView::listed(const std::vector<KeptTrial> &trials)
         [this](const KeptTrial &kept) { return kept.trial.mode == m_mode && kept.trial.axis == m_axis; });
     std::int64_t pushed = 0;
     for (const KeptTrial &kept : trials) {
-        if (kept.trial.mode == Mode::Duty && kept.trial.axis == m_axis && kept.trial.reason == "done")
+        if (kept.trial.mode == Mode::Duty && kept.trial.axis == m_axis && kept.trial.reason == tuning::EndReason::Done)
             pushed = kept.number;
     }
     m_list->setIdentified(pushed);

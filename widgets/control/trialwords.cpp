@@ -60,17 +60,17 @@ QString profileText(tuning::Profile profile)
     return {};
 }
 
-QString guardText(const std::string &reason)
+QString guardText(tuning::EndReason reason)
 {
-    const std::string_view label = tuning::endingLabel(reason);
-    return label.empty() ? QString::fromStdString(reason) : tableText(label);
+    return tableText(tuning::endingLabel(reason));
 }
 
 QString flagText(const std::string &flag, const tuning::Trial &trial)
 {
     if (flag == tuning::flag::aborted)
         return TrialWords::tr("stopped: %1")
-            .arg(trial.reason.empty() ? TrialWords::tr("nobody saw its end") : guardText(trial.reason));
+            .arg(trial.reason == tuning::EndReason::None ? TrialWords::tr("nobody saw its end")
+                                                         : guardText(trial.reason));
     if (flag == tuning::flag::lostSamples)
         return TrialWords::tr("%1 samples lost").arg(formatCount(static_cast<qint64>(trial.lost)));
     if (flag == tuning::flag::saturated && trial.metrics.saturated)

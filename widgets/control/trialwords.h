@@ -11,7 +11,7 @@ namespace mb {
 /// What a trial is called in front of people.
 [[nodiscard]] QString profileText(tuning::Profile profile);
 /// Of Trial::reason: a guard, "interrupted" …
-[[nodiscard]] QString guardText(const std::string &reason);
+[[nodiscard]] QString guardText(tuning::EndReason reason);
 /// Of a flag, with its number where the trial has one: "saturated 95 ms".
 [[nodiscard]] QString flagText(const std::string &flag, const tuning::Trial &trial);
 /// "0 ▸ 1500 ×4" in the unit that is shown, with the name of the profile where it is no step.

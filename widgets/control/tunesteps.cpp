@@ -16,15 +16,10 @@ constexpr int discSize = 18;
 constexpr int wordGap = 6;
 constexpr int stepGap = 14;
 
-std::string verdictKey(int axis)
-{
-    return axis > 0 ? "ch" + std::to_string(axis) + ".direction" : "direction";
-}
-
 /// The trial ended well and ran with what is in the device now.
 bool isOfTheseGains(const TuneKnowledge &known)
 {
-    if (!known.newest || known.newest->trial.reason != "done" || known.gains.empty())
+    if (!known.newest || known.newest->trial.reason != tuning::EndReason::Done || known.gains.empty())
         return false;
     return std::ranges::all_of(known.gains, [&known](ParameterIndex index) {
         const Parameter &row = known.device->family->parameters[index.value];
@@ -69,12 +64,12 @@ void TuneSteps::show(const TuneKnowledge &known)
     if (isHidden())
         return;
     const auto &verdicts = known.device->profile->verdicts;
-    const auto verdict = verdicts.find(verdictKey(known.axis));
+    const auto verdict = verdicts.find(directionKey(known.axis));
     const bool ofTheseGains = isOfTheseGains(known) && !known.staged;
     const bool stored
         = allAre(known, [](const ParameterStore::Entry &entry) { return entry.state == ParameterState::Stored; });
     const bool isChecked = verdict != verdicts.end();
-    m_done[Direction] = isChecked && verdict->second == "agrees";
+    m_done[Direction] = isChecked && verdict->second == DirectionVerdict::Agrees;
     m_done[Envelope] = known.missing.isEmpty();
     m_done[Identify] = known.identified > 0;
     m_done[Gains] = !known.staged && allAre(known, [](const auto &entry) { return entry.raw.has_value(); });

@@ -70,7 +70,7 @@ void SweepPanel::measure()
     if (!m_mayRun || !m_plan)
         return;
     m_arming.runSweep(*m_plan, m_plant, guarded(this, [this, place = m_place](const auto &response) {
-        if (response && response->stopReason.empty()) // else it is a part of one
+        if (response && response->stopReason == tuning::EndReason::None) // else it is a part of one
             Q_EMIT measured(place, *response);
     }));
 }

@@ -186,7 +186,7 @@ void Guide::take(const std::vector<KeptTrial> &trials)
     const QString before = result();
     for (const KeptTrial &row : trials) {
         const tuning::Trial &trial = row.trial;
-        if (row.number <= *m_newest || trial.reason != "done")
+        if (row.number <= *m_newest || trial.reason != tuning::EndReason::Done)
             continue;
         m_newest = row.number;
         if (trial.mode == Mode::Position)

@@ -13,7 +13,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     MB_TRY(const auto options, simulation::UnitOptions::parse(unit));
     auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("abstractdc:" + std::to_string(options.offset));
     made->add(*can, clock, options);
-    if (options.find("duplicate")) {
+    if (options.find(FaultKind::Duplicate)) {
         simulation::UnitOptions twin = options;
         twin.temperatureOffset = 2;
         made->addBeside(*can, clock, twin);

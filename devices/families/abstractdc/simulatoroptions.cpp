@@ -47,14 +47,14 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     UnitOptions options;
     options.offset = unit.address;
     options.motor = motorByName("25d");
-    if (auto taken
-        = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable, {"busoff", "duplicate"}, options);
+    if (auto taken = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable,
+            {FaultKind::BusOff, FaultKind::Duplicate}, options);
         !taken)
         return fail(taken.error());
     return options;
 }
 
-const SimulatedFault *UnitOptions::find(std::string_view fault) const
+const SimulatedFault *UnitOptions::find(FaultKind fault) const
 {
     return findFault(faults, fault);
 }

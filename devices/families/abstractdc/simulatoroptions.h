@@ -26,7 +26,7 @@ struct UnitOptions {
     std::vector<SimulatedFault> faults;
 
     [[nodiscard]] static Result<UnitOptions> parse(const SimulatedUnit &unit);
-    [[nodiscard]] const SimulatedFault *find(std::string_view fault) const;
+    [[nodiscard]] const SimulatedFault *find(FaultKind fault) const;
 };
 
 /// Gains for velocity, current, position that fit the motor and the loop of 20 ms (docs/names.md#integer-gains), or blank flash.

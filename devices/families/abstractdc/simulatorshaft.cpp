@@ -21,7 +21,7 @@ Shaft::Shaft(Clock &clock, const UnitOptions &options, Notify notify)
     , m_motor(*options.motor, options.load)
     , m_motorAt(clock.now())
 {
-    m_motor.setEncoderReversed(options.find("encoder-reversed") != nullptr);
+    m_motor.setEncoderReversed(options.find(FaultKind::EncoderReversed) != nullptr);
 }
 
 void Shaft::zero()

@@ -72,16 +72,16 @@ void Unit::switched(bool on)
 
 void Unit::scheduleFaults()
 {
-    m_faults.at("reset", [this] {
+    m_faults.at(FaultKind::Reset, [this] {
         if (!m_supply.isOn())
             return;
         stop();
         m_notify(m_clock.now(), "reset", 0.0);
         start();
     });
-    m_faults.at("busoff", [this] { m_outbox.clear(); });
-    m_faults.at("encoder-dead", [this] { m_shaft.motor().setEncoderDead(true); });
-    m_faults.at("stall", [this] { (void)disturb("stall", 1.0); });
+    m_faults.at(FaultKind::BusOff, [this] { m_outbox.clear(); });
+    m_faults.at(FaultKind::EncoderDead, [this] { m_shaft.motor().setEncoderDead(true); });
+    m_faults.at(FaultKind::Stall, [this] { (void)disturb("stall", 1.0); });
     m_faults.sag([this](double volts) { (void)disturb("bus-voltage", volts); });
 }
 

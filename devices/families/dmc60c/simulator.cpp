@@ -13,7 +13,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     auto &can = static_cast<CanLink &>(link);
     auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("dmc60c:" + std::to_string(options.number));
     made->add(can, clock, options);
-    if (findFault(options.faults, "duplicate"))
+    if (findFault(options.faults, FaultKind::Duplicate))
         made->addBeside(can, clock, options.twin());
     return made;
 }

@@ -95,11 +95,11 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.number = unit.address;
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
-    if (auto taken
-        = takeOptions(unit, say("a simulated DMC60C"), optionTable, {"power-page", "busoff", "duplicate"}, options);
+    if (auto taken = takeOptions(unit, say("a simulated DMC60C"), optionTable,
+            {FaultKind::PowerPage, FaultKind::BusOff, FaultKind::Duplicate}, options);
         !taken)
         return fail(taken.error());
-    const SimulatedFault *page = findFault(options.faults, "power-page");
+    const SimulatedFault *page = findFault(options.faults, FaultKind::PowerPage);
     if (page && page->at > lastPage)
         return fail(Fault::OutOfRange, say("fault '%1' does not parse", "power-page"),
             say("legal is %1", "0 … " + std::to_string(lastPage)));

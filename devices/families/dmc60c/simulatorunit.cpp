@@ -76,7 +76,7 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
 {
     listen(link);
     scheduleFaults();
-    if (m_faults.has("encoder-reversed"))
+    if (m_faults.has(FaultKind::EncoderReversed))
         m_drive.rig().reverseEncoder();
     startBootloader(); // it has been powered long enough
     if (m_application.isRunnable())
@@ -94,7 +94,7 @@ void Unit::listen(CanLink &link)
     m_heard[0] = link.received().add([this](const CanFrame &frame) { receive(frame); });
     m_heard[1] = link.traffic().add([this](const Traffic &traffic) {
         if (traffic.direction == Direction::Sent && traffic.can != nullptr)
-            overhear(*traffic.can);
+            takeMasterStatus(*traffic.can);
     });
     m_heard[2] = link.stateChanged().add([this](LinkState state) {
         if (state != LinkState::Open)
@@ -104,10 +104,10 @@ void Unit::listen(CanLink &link)
 
 void Unit::scheduleFaults()
 {
-    m_faults.at("reset", [this] { resetBySelf(); });
-    m_faults.at("busoff", [this] { loseBus(); });
-    m_faults.at("encoder-dead", [this] { drive().rig().killEncoder(); });
-    m_faults.at("stall", [this] { disturb("stall", 1.0); });
+    m_faults.at(FaultKind::Reset, [this] { resetBySelf(); });
+    m_faults.at(FaultKind::BusOff, [this] { loseBus(); });
+    m_faults.at(FaultKind::EncoderDead, [this] { drive().rig().killEncoder(); });
+    m_faults.at(FaultKind::Stall, [this] { disturb("stall", 1.0); });
     m_faults.sag([this](double volts) { disturb("bus-voltage", volts); });
 }
 
@@ -269,7 +269,7 @@ void Unit::receive(const CanFrame &frame)
     m_processor.take(frame);
 }
 
-void Unit::overhear(const CanFrame &frame)
+void Unit::takeMasterStatus(const CanFrame &frame)
 {
     const int device = static_cast<int>(frame.id & id::deviceMask);
     if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8
@@ -286,7 +286,7 @@ void Unit::handle(const CanFrame &frame)
         if (frame.size == 0)
             m_enumeration.ask(m_memory.ram().number, isInBootloader());
     } else if (message == id::statusGeneral) {
-        overhear(frame);
+        takeMasterStatus(frame);
     } else if (isAddressed(frame, m_memory.ram().number)) {
         handleForNumber(message, frame);
     }

@@ -55,7 +55,7 @@ private:
     void receive(const CanFrame &frame);
     void handle(const CanFrame &frame);
     void handleForNumber(std::uint32_t message, const CanFrame &frame);
-    void overhear(const CanFrame &frame);
+    void takeMasterStatus(const CanFrame &frame);
     [[nodiscard]] bool sendEnumeration();
     void sendReply(std::uint32_t message, std::span<const std::uint8_t> bytes);
     void notify(Instant time, std::string_view what, double value);

@@ -65,7 +65,7 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
-    MB_TRY_VOID(takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {"power-page"}, options));
+    MB_TRY_VOID(takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, {FaultKind::PowerPage}, options));
     if ((options.inBootloader || unit.option("jumper")) && !options.boot)
         return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
@@ -153,7 +153,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     if (!slave)
         return fail(Fault::OutOfRange, say("a QuadQuad2Drv is simulated on the board's end of an SPI link"));
     MB_TRY(const auto options, simulation::BoardOptions::parse(unit));
-    if (!options.boot && findFault(options.faults, "power-page"))
+    if (!options.boot && findFault(options.faults, FaultKind::PowerPage))
         return fail(Fault::Unsupported, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     auto simulated = std::make_unique<SimulatedQuadQuad>(*slave, clock, options);
     MB_TRY_VOID(simulated->openBoot(clock, options));

@@ -64,12 +64,12 @@ void Board::loop()
 void Board::scheduleFaults()
 {
     MotorModel &motor = m_axes.front()->motor();
-    motor.setEncoderReversed(m_faults.has("encoder-reversed"));
+    motor.setEncoderReversed(m_faults.has(FaultKind::EncoderReversed));
     constexpr Duration behindTheLoop(1); // which passes at the same moment
-    m_faults.after("reset", behindTheLoop, [this] { reset(); });
-    m_faults.after("brownout", behindTheLoop, [this] { m_supply.lose(FaultPlan::brownoutTime); });
-    m_faults.after("encoder-dead", behindTheLoop, [&motor] { motor.setEncoderDead(true); });
-    m_faults.after("stall", behindTheLoop, [&motor] { motor.setLocked(true); });
+    m_faults.after(FaultKind::Reset, behindTheLoop, [this] { reset(); });
+    m_faults.after(FaultKind::Brownout, behindTheLoop, [this] { m_supply.lose(FaultPlan::brownoutTime); });
+    m_faults.after(FaultKind::EncoderDead, behindTheLoop, [&motor] { motor.setEncoderDead(true); });
+    m_faults.after(FaultKind::Stall, behindTheLoop, [&motor] { motor.setLocked(true); });
 }
 
 void Board::noteOutput()

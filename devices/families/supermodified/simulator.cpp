@@ -14,7 +14,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
     MB_TRY(const auto options, simulation::UnitOptions::parse(unit));
     auto made = std::make_unique<SimulatedTwins<simulation::Unit>>("supermodified:" + std::to_string(options.node));
     made->add(*serial, clock, options);
-    if (findFault(options.faults, "duplicate")) {
+    if (findFault(options.faults, FaultKind::Duplicate)) {
         simulation::UnitOptions twin = options;
         twin.seed ^= 0x5DEECE66DULL;
         made->add(*serial, clock, twin);

@@ -44,7 +44,7 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         return fail(Fault::OutOfRange, say("a Supermodified has an id from 1 to 127, not %1", unit.address));
     UnitOptions options;
     options.node = unit.address;
-    MB_TRY_VOID(takeOptions(unit, say("a simulated Supermodified"), optionTable, {"duplicate"}, options));
+    MB_TRY_VOID(takeOptions(unit, say("a simulated Supermodified"), optionTable, {FaultKind::Duplicate}, options));
     return options;
 }
 

@@ -165,12 +165,12 @@ void Unit::fed(bool on)
 
 void Unit::scheduleFaults()
 {
-    if (m_faults.has("encoder-reversed"))
+    if (m_faults.has(FaultKind::EncoderReversed))
         m_drive.encoder().setReversed();
-    m_faults.at("reset", [this] { m_supply.lose(Duration(1)); });
-    m_faults.at("brownout", [this] { m_supply.lose(FaultPlan::brownoutTime); });
-    m_faults.at("encoder-dead", [this] { drive().encoder().setDead(); });
-    m_faults.at("stall", [this] { drive().motor().setLocked(true); });
+    m_faults.at(FaultKind::Reset, [this] { m_supply.lose(Duration(1)); });
+    m_faults.at(FaultKind::Brownout, [this] { m_supply.lose(FaultPlan::brownoutTime); });
+    m_faults.at(FaultKind::EncoderDead, [this] { drive().encoder().setDead(); });
+    m_faults.at(FaultKind::Stall, [this] { drive().motor().setLocked(true); });
 }
 
 bool Unit::disturb(std::string_view what, double value)
