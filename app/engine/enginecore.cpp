@@ -40,12 +40,12 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_provisional(m_context)
     , m_parameters(m_context, m_provisional)
     , m_jobs(m_context, m_parameters)
-    , m_encounters(m_context, m_parameters, m_provisional)
+    , m_firstSnapshots(m_context, m_parameters, m_provisional)
     , m_rates(m_context)
     , m_owed(m_context)
     , m_trials(m_context, m_parameters, m_owed, m_rates)
     , m_firmware(m_context, m_parameters, m_scans)
-    , m_roll(m_context, m_parameters, m_encounters, m_trials)
+    , m_presence(m_context, m_parameters, m_firstSnapshots, m_trials)
     , m_service(m_context, m_scans)
     , m_publisher(m_context, m_links, m_provisional)
     , m_look(clock)
@@ -98,10 +98,10 @@ void EngineCore::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
     m_links.look();
-    m_roll.look();
-    m_roll.refreshRestarted();
+    m_presence.look();
+    m_presence.refreshRestarted();
     m_owed.look();
-    m_encounters.look();
+    m_firstSnapshots.look();
     m_scans.look();
 }
 

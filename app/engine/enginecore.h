@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/engine/devicejobs.h"
+#include "app/engine/devicepresence.h"
 #include "app/engine/firmwareupdates.h"
 #include "app/engine/links.h"
-#include "app/engine/rollcall.h"
 #include "app/engine/servicejobs.h"
 #include "app/engine/snapshotpublisher.h"
 #include "async/noncopyable.h"
@@ -70,12 +70,12 @@ private:
     ProvisionalChanges m_provisional;
     ParameterJobs m_parameters;
     DeviceJobs m_jobs;
-    Encounters m_encounters;
+    FirstSnapshots m_firstSnapshots;
     Rates m_rates;
     OwedBook m_owed;
     Trials m_trials;
     FirmwareUpdates m_firmware;
-    RollCall m_roll;
+    DevicePresence m_presence;
     ServiceJobs m_service;
     SnapshotPublisher m_publisher;
     Timer m_look;

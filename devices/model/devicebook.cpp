@@ -57,7 +57,7 @@ Device &DeviceBook::adopt(Link &link, const Family &family, const Identity &iden
     return *match;
 }
 
-Device &DeviceBook::overhear(Link &link, const Family &family, const Identity &identity)
+Device &DeviceBook::adoptRecorded(Link &link, const Family &family, const Identity &identity)
 {
     const auto known = std::ranges::find_if(m_entries, [&](const Entry &entry) {
         return &entry.device->link() == &link && &entry.device->family() == &family

@@ -52,7 +52,7 @@ public:
     /// unless both answered in this scan: `seen`.
     Device &adopt(Link &link, const Family &family, const Identity &identity, const std::vector<Device *> &seen);
     /// The device that sends in a recording, whatever its session.
-    Device &overhear(Link &link, const Family &family, const Identity &identity);
+    Device &adoptRecorded(Link &link, const Family &family, const Identity &identity);
     /// New objects for the devices of a link, with their ids; telemetry begins anew.
     void renew(Link &link);
     void forget(const Link &link);

@@ -67,7 +67,7 @@ ScanRound::Surroundings Session::aroundScan(Link &link)
 Task<std::vector<Device *>> Session::scan(Link &link, ScanOptions options)
 {
     if (ReplayLink *const recording = replayOf(link)) {
-        co_return co_await overhear(*recording);
+        co_return co_await discoverPassively(*recording);
     }
     ScanRound round(link, std::move(options), aroundScan(link));
     round.start();
@@ -147,7 +147,7 @@ Task<Device *> Session::connect(DeviceSelector selector, bool mayBeSilent)
 {
     Link *const link = co_await openLinkSoon(selector.link);
     ReplayLink *const recording = replayOf(*link);
-    auto looking = recording ? overhear(*recording) : ask(*link, selector);
+    auto looking = recording ? discoverPassively(*recording) : ask(*link, selector);
     const std::vector<Device *> seen = co_await std::move(looking);
     std::vector<Device *> fitting;
     std::vector<const Device *> others; // of that number, of another session
@@ -174,10 +174,11 @@ Task<Device *> Session::connect(DeviceSelector selector, bool mayBeSilent)
     co_return fitting.front();
 }
 
-Task<std::vector<Device *>> Session::overhear(ReplayLink &link)
+Task<std::vector<Device *>> Session::discoverPassively(ReplayLink &link)
 {
-    PassiveDiscovery discovery(m_families,
-        [this, &link](const Family &family, const Identity &seen) { (void)m_devices.overhear(link, family, seen); });
+    PassiveDiscovery discovery(m_families, [this, &link](const Family &family, const Identity &seen) {
+        (void)m_devices.adoptRecorded(link, family, seen);
+    });
     while (true) {
         const auto complete = link.survey([&](const LoggedFrame &logged) {
             CanFrame frame = logged.frame;

@@ -81,7 +81,7 @@ public:
 private:
     [[nodiscard]] ScanRound::Surroundings aroundScan(Link &link);
     [[nodiscard]] Task<std::vector<Device *>> ask(Link &link, DeviceSelector selector);
-    [[nodiscard]] Task<std::vector<Device *>> overhear(ReplayLink &link);
+    [[nodiscard]] Task<std::vector<Device *>> discoverPassively(ReplayLink &link);
     [[nodiscard]] Task<Device *> adoptSilent(Link &link, DeviceSelector selector, std::vector<Device *> seen);
 
     Clock &m_clock;

@@ -197,23 +197,23 @@ void AdviserList::rebuild()
         }
         addPlace(place);
     }
-    setRoom(m_room);
+    setDensity(m_density);
     Q_EMIT rebuilt();
 }
 
-void AdviserList::setRoom(Room room)
+void AdviserList::setDensity(Density density)
 {
-    m_room = room;
-    const bool sums = room == Room::Least && m_fine.size() > 1;
-    m_rows->setSpacing(m_theme.theme().u(room == Room::Plenty ? 6 : 3));
+    m_density = density;
+    const bool sums = density == Density::Dense && m_fine.size() > 1;
+    m_rows->setSpacing(m_theme.theme().u(density == Density::Comfortable ? 6 : 3));
     if (m_sum)
         m_sum->setHidden(!sums);
     for (QWidget *box : m_fine)
         box->setHidden(sums);
     for (QLabel *words : m_quiet)
-        words->setHidden(room != Room::Plenty);
+        words->setHidden(density != Density::Comfortable);
     for (QFrame *line : m_lines)
-        line->setHidden(room != Room::Plenty);
+        line->setHidden(density != Density::Comfortable);
 }
 
 /// All that is in order: its names, and one word for them.

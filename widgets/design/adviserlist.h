@@ -29,8 +29,8 @@ public:
     /// There is no set.
     void clear();
     /// Where there is little room, what is in order has its words in its tooltip; where there is less, all of it takes one line.
-    enum class Room : std::uint8_t { Plenty, Little, Least };
-    void setRoom(Room room);
+    enum class Density : std::uint8_t { Comfortable, Compact, Dense };
+    void setDensity(Density density);
 
 Q_SIGNALS:
     /// Other places take more or less room.
@@ -56,7 +56,7 @@ private:
     QVBoxLayout *m_rows = nullptr;
     QWidget *m_box = nullptr;
     std::vector<Place> m_places;
-    Room m_room = Room::Plenty;
+    Density m_density = Density::Comfortable;
     QWidget *m_sum = nullptr;      ///< the names of what is in order
     std::vector<QWidget *> m_fine; ///< what is in order
     std::vector<QLabel *> m_quiet; ///< words of what is in order, or was changed

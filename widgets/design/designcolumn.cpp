@@ -49,13 +49,13 @@ void DesignColumn::fit()
         return;
     m_line->setHidden(m_proposals->own().isHidden()); // one is enough where there is no set
     const bool all = m_wantsAll.value_or(false);
-    arrange(m_wantsAll && !all, CardRoom::Plenty);
+    arrange(m_wantsAll && !all, CardDensity::Comfortable);
     if (all)
         return;
-    for (const CardRoom room : {CardRoom::Plenty, CardRoom::Little, CardRoom::Least}) {
+    for (const CardDensity density : {CardDensity::Comfortable, CardDensity::Compact, CardDensity::Dense}) {
         if (isInSight())
             return;
-        arrange(true, room);
+        arrange(true, density);
     }
     if (!isInSight())
         QMetaObject::invokeMethod(this, &DesignColumn::scrollToChosen, Qt::QueuedConnection); // where it will stand
@@ -67,10 +67,10 @@ void DesignColumn::scrollToChosen()
         ensureWidgetVisible(card, 0, 0);
 }
 
-void DesignColumn::arrange(bool folded, CardRoom room)
+void DesignColumn::arrange(bool folded, CardDensity density)
 {
     m_model->setFolded(folded);
-    m_proposals->setRoom(room);
+    m_proposals->setDensity(density);
 }
 
 /// All down to the sliders.

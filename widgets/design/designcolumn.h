@@ -30,7 +30,7 @@ protected:
 
 private:
     void fit();
-    void arrange(bool folded, CardRoom room);
+    void arrange(bool folded, CardDensity density);
     void scrollToChosen();
     [[nodiscard]] bool isInSight() const;
 

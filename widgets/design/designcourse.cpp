@@ -72,15 +72,15 @@ void DesignCourse::setOrder(QWidget *order)
 /// all that is in order takes one line, and why a result is good stands last, where it scrolls.
 void DesignCourse::fit()
 {
-    using Room = AdviserList::Room;
+    using Density = AdviserList::Density;
     const struct {
-        Room advisers;
+        Density advisers;
         bool briefSteps;
         bool evidenceLast;
-    } ways[] = {{Room::Plenty, false, false}, {Room::Little, false, false}, {Room::Little, true, false},
-        {Room::Least, true, false}, {Room::Least, true, true}};
+    } ways[] = {{Density::Comfortable, false, false}, {Density::Compact, false, false}, {Density::Compact, true, false},
+        {Density::Dense, true, false}, {Density::Dense, true, true}};
     for (const auto &way : ways) {
-        m_advisers->setRoom(way.advisers);
+        m_advisers->setDensity(way.advisers);
         m_steps->setBrief(way.briefSteps);
         m_steps->setEvidenceLast(way.evidenceLast);
         if (m_area->isInSight({m_advisers, m_steps}))

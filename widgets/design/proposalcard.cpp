@@ -203,10 +203,10 @@ void ProposalCard::addFigures(const Family &family, const tuning::Proposal &prop
     setAccessibleDescription(spoken.join(QStringLiteral(", ")));
 }
 
-void ProposalCard::setRoom(CardRoom room)
+void ProposalCard::setDensity(CardDensity density)
 {
-    m_room = room;
-    setTight(room == CardRoom::Least);
+    m_density = density;
+    setTight(density == CardDensity::Dense);
     showGains();
 }
 
@@ -219,9 +219,9 @@ void ProposalCard::setChosen(bool chosen)
 
 void ProposalCard::showGains()
 {
-    m_gains->setVisible(m_room == CardRoom::Plenty);
-    m_brief->setVisible(m_room == CardRoom::Little || (m_room == CardRoom::Least && m_mark->isChosen()));
-    setToolTip(m_room == CardRoom::Least ? m_brief->text() : QString());
+    m_gains->setVisible(m_density == CardDensity::Comfortable);
+    m_brief->setVisible(m_density == CardDensity::Compact || (m_density == CardDensity::Dense && m_mark->isChosen()));
+    setToolTip(m_density == CardDensity::Dense ? m_brief->text() : QString());
 }
 
 } // namespace mb

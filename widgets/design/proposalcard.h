@@ -13,7 +13,7 @@ class ChoiceMark;
 
 /// What a card tells of its gains: each with its raw number and what it is to the motor; all in one line, by their numbers alone; and that
 /// line only where the set is chosen.
-enum class CardRoom : std::uint8_t { Plenty, Little, Least };
+enum class CardDensity : std::uint8_t { Comfortable, Compact, Dense };
 
 /// One set of gains that may be had: the device's own numbers, and what they will do. Clicked, or activated by keys, it is chosen.
 class ProposalCard : public Card {
@@ -29,7 +29,7 @@ public:
         QWidget *parent);
 
     void setChosen(bool chosen);
-    void setRoom(CardRoom room);
+    void setDensity(CardDensity density);
     [[nodiscard]] tuning::Aim aim() const { return m_aim; }
 
 private:
@@ -40,7 +40,7 @@ private:
 
     tuning::Aim m_aim;
     ChoiceMark *m_mark;
-    CardRoom m_room = CardRoom::Plenty;
+    CardDensity m_density = CardDensity::Comfortable;
     QWidget *m_gains = nullptr;
     QLabel *m_brief = nullptr;
 };

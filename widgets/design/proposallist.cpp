@@ -84,13 +84,13 @@ void ProposalList::showReport()
     showChosen();
 }
 
-void ProposalList::setRoom(CardRoom room)
+void ProposalList::setDensity(CardDensity density)
 {
-    m_room = room;
-    m_column->setSpacing(m_theme.theme().u(room == CardRoom::Least ? 3 : 4));
-    m_own->setTight(room == CardRoom::Least);
+    m_density = density;
+    m_column->setSpacing(m_theme.theme().u(density == CardDensity::Dense ? 3 : 4));
+    m_own->setTight(density == CardDensity::Dense);
     for (ProposalCard *card : m_cards)
-        card->setRoom(room);
+        card->setDensity(density);
 }
 
 void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &proposal)
@@ -102,7 +102,7 @@ void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &propo
     }
     auto *card = new ProposalCard(m_theme, *view.family, proposal, scale, this);
     connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
-    card->setRoom(m_room);
+    card->setDensity(m_density);
     m_column->insertWidget(m_column->count() - 1, card); // the own one is the last
     m_cards.push_back(card);
 }

@@ -32,7 +32,7 @@ public:
     /// Another report, motor or slot, or other limits.
     void showReport();
     /// Of each card.
-    void setRoom(CardRoom room);
+    void setDensity(CardDensity density);
     /// Draws the one that is chosen.
     void showChosen();
     void chooseAim(tuning::Aim aim);
@@ -66,7 +66,7 @@ private:
     std::optional<tuning::Proposal> m_ownDesigned; ///< of the sliders
     std::vector<ProposalCard *> m_cards;
     OwnProposal *m_own = nullptr;
-    CardRoom m_room = CardRoom::Plenty;
+    CardDensity m_density = CardDensity::Comfortable;
     QWidget *m_head = nullptr;
     QLabel *m_comparedWords = nullptr;
     GainComparison m_comparison;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/busloadview.h"
 
+#include "widgets/common/clamped.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/spoken.h"
-#include "widgets/common/withinroom.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -79,8 +79,7 @@ void BusLoadView::paintScales(QPainter &painter, const QRectF &box) const
         const double x = box.left() + box.width() * i / 3.0;
         const QString text = i == 3 ? QStringLiteral("0") : formatNumber(i * 20.0 - 60.0, 0);
         const double size = metrics.horizontalAdvance(text) + 2.0;
-        painter.drawText(
-            QRectF(withinRoom(x - size / 2, 0.0, width() - size), box.bottom() + 2, size, metrics.height()),
+        painter.drawText(QRectF(clamped(x - size / 2, 0.0, width() - size), box.bottom() + 2, size, metrics.height()),
             Qt::AlignCenter, text);
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curvemarks.h"
 
-#include "widgets/common/withinroom.h"
+#include "widgets/common/clamped.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,8 +154,8 @@ void CurveMarks::arrange()
     const QRectF room = m_plot.axisRect()->rect();
     std::vector<QRectF> taken;
     for (const auto &[mark, words] : m_words) {
-        const QPointF at(m_plot.xAxis->coordToPixel(mark.x),
-            withinRoom(m_plot.yAxis->coordToPixel(mark.y), room.top(), room.bottom()));
+        const QPointF at(
+            m_plot.xAxis->coordToPixel(mark.x), clamped(m_plot.yAxis->coordToPixel(mark.y), room.top(), room.bottom()));
         words->setVisible(std::isfinite(at.x()) && at.x() >= room.left() - 1 && at.x() <= room.right() + 1);
         if (!words->visible())
             continue;

@@ -71,10 +71,10 @@ constexpr int headHeight = 20;
 struct StripDecor {
     QString title;
     QString unit;
-    QString secondUnit; ///< of the axis at the right; empty without one
-    int secondRoom = 0; ///< pixels that the labels of that axis take in every strip
-    int headGap = 0;    ///< pixels between the head and the strip
-    QString keyUnit;    ///< "s" at the right end of a time axis whose labels are seconds, last strip only
+    QString secondUnit;      ///< of the axis at the right; empty without one
+    int secondAxisWidth = 0; ///< pixels that the labels of that axis take in every strip
+    int headGap = 0;         ///< pixels between the head and the strip
+    QString keyUnit;         ///< "s" at the right end of a time axis whose labels are seconds, last strip only
     QString watermark;
     std::vector<HeadEntry> entries;
     std::vector<PlotLimit> limits;

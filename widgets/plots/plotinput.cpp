@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotinput.h"
 
-#include "widgets/common/withinroom.h"
+#include "widgets/common/clamped.h"
 #include "widgets/plots/plotcursors.h"
 
 #include <QDropEvent>
@@ -193,7 +193,7 @@ bool PlotInput::overTrigger(const QPoint &at) const
     const QRect box = strip.rect().rect();
     const double y = strip.axis(of->style.secondAxis).coordToPixel(m_strips.trigger()->level);
     const int reach = m_theme.theme().u(8);
-    return std::abs(at.y() - withinRoom<double>(y, box.top(), box.bottom())) <= reach
+    return std::abs(at.y() - clamped<double>(y, box.top(), box.bottom())) <= reach
         && std::abs(at.x() - box.left()) <= 2 * reach;
 }
 
@@ -203,7 +203,7 @@ void PlotInput::dragTrigger(const QPoint &at)
     if (!of)
         return;
     const PlotStrip &strip = m_strips.at(of->style.strip);
-    const int y = withinRoom(at.y(), strip.rect().top(), strip.rect().bottom());
+    const int y = clamped(at.y(), strip.rect().top(), strip.rect().bottom());
     Q_EMIT triggerLevelMoved(strip.axis(of->style.secondAxis).pixelToCoord(y));
 }
 

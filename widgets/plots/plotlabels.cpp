@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotlabels.h"
 
+#include "widgets/common/clamped.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/common/withinroom.h"
 
 #include <QCoreApplication>
 
@@ -245,7 +245,7 @@ private:
         if (!m_decor.trigger)
             return;
         const double y = (m_decor.trigger->second ? m_right : m_left).coordToPixel(m_decor.trigger->level);
-        beside(StripWord::Kind::Trigger, 0, m_decor.trigger->text, withinRoom(y, m_box.top(), m_box.bottom()), false);
+        beside(StripWord::Kind::Trigger, 0, m_decor.trigger->text, clamped(y, m_box.top(), m_box.bottom()), false);
     }
     void notes()
     {
@@ -259,7 +259,7 @@ private:
             const QSizeF size(QFontMetricsF(font).horizontalAdvance(note.text) + 2, m_metrics.height());
             QRectF text(at + QPointF(m_theme.u(note.offset.x()), m_theme.u(note.offset.y())), size);
             text = between(text);
-            text.moveBottom(withinRoom(text.bottom(), m_box.top() + text.height(), m_box.bottom()));
+            text.moveBottom(clamped(text.bottom(), m_box.top() + text.height(), m_box.bottom()));
             const double other = 2 * (at.x() - text.center().x()); // the same at the left of the point
             const double wide = text.width();
             take(StripWord::Kind::Note, i,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotscrubber.h"
 
-#include "widgets/common/withinroom.h"
+#include "widgets/common/clamped.h"
 #include "widgets/plots/columnpath.h"
 #include "widgets/plots/plottickers.h"
 
@@ -72,8 +72,8 @@ QRectF PlotScrubber::box() const
 {
     const auto [from, to] = m_stack.view().range();
     const QRectF area = band();
-    const double left = withinRoom(x(from), area.left(), area.right() - 6);
-    const double right = withinRoom(x(to), left + 6, area.right());
+    const double left = clamped(x(from), area.left(), area.right() - 6);
+    const double right = clamped(x(to), left + 6, area.right());
     return {left, area.top() - 2, right - left, area.height() + 4};
 }
 
@@ -129,7 +129,7 @@ void PlotScrubber::drawTimes(QPainter &painter) const
         const double key = m_first + (m_now - m_first) * i / places;
         const QString text = ticker.text(ticker.clock() ? key : key - m_now, 1.0);
         const double wide = metrics.horizontalAdvance(text);
-        const double left = withinRoom(x(key) - wide / 2, 1.0 * theme.u(8), width() - wide - theme.u(8));
+        const double left = clamped(x(key) - wide / 2, 1.0 * theme.u(8), width() - wide - theme.u(8));
         painter.drawText(QPointF(left, height() - theme.u(5)), text);
     }
 }

@@ -30,7 +30,7 @@ namespace {
 constexpr std::chrono::milliseconds repaintTime{16};
 constexpr double idleScroll = 0.25;   ///< silent devices scroll away this often
 constexpr double analyseEvery = 0.5;  ///< seconds
-constexpr int roomyWidth = 1250;      ///< for the numbers of the recording
+constexpr int wideWidth = 1250;       ///< for the numbers of the recording
 constexpr int tracesBesideFrom = 600; ///< units, for the lists of traces
 constexpr double narrowestWindow = 0.01;
 /// Samples per second to wish for, so that zooming does not change them all the time.
@@ -393,7 +393,7 @@ bool PlotsPage::eventFilter(QObject *watched, QEvent *event)
 void PlotsPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_bar->recording().setRoomy(width() > m_theme.theme().u(roomyWidth));
+    m_bar->recording().setWide(width() > m_theme.theme().u(wideWidth));
 }
 
 void PlotsPage::hideEvent(QHideEvent *event)

@@ -120,14 +120,14 @@ void PlotStrips::updateHeads()
     const QFontMetrics caption(theme.font(TextRole::Caption, m_plot.font()));
     const bool anySecond = std::ranges::any_of(
         m_traces, [](const auto &entry) { return entry.second.visible && entry.second.style.secondAxis; });
-    const int secondRoom = anySecond ? theme.u(56) : 0;
-    const int right = tagMargin(m_traces, theme, m_plot.font()) + (m_strips.empty() ? 0 : secondRoom);
+    const int secondAxisWidth = anySecond ? theme.u(56) : 0;
+    const int right = tagMargin(m_traces, theme, m_plot.font()) + (m_strips.empty() ? 0 : secondAxisWidth);
     for (std::size_t i = 0; i < m_strips.size(); ++i) {
         PlotStrip &strip = *m_strips[i];
         fillHead(strip, static_cast<int>(i), m_traces);
         strip.decor.watermark = m_watermark;
         strip.decor.marks = m_marks;
-        strip.decor.secondRoom = secondRoom;
+        strip.decor.secondAxisWidth = secondAxisWidth;
         const int unit = caption.horizontalAdvance(strip.decor.unit) + theme.u(10);
         strip.rect().setMinimumMargins(QMargins(std::max(theme.u(52), unit), 0, 0, 0));
         strip.setRightMargin(right);

@@ -47,9 +47,9 @@ void RecordingControl::setRecorder(Recorder *recorder, const QString &folder)
     });
 }
 
-void RecordingControl::setRoomy(bool roomy)
+void RecordingControl::setWide(bool wide)
 {
-    m_words->setVisible(roomy);
+    m_words->setVisible(wide);
 }
 
 void RecordingControl::note(Instant time, const QString &text)

@@ -26,7 +26,7 @@ public:
     void toggle();
     void note(Instant time, const QString &text);
     /// Without room the numbers stand in the button's description only.
-    void setRoomy(bool roomy);
+    void setWide(bool wide);
     /// Length and size may be others.
     void follow();
 

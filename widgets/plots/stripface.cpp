@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/stripface.h"
 
-#include "widgets/common/withinroom.h"
+#include "widgets/common/clamped.h"
 #include "widgets/plots/plotframe.h"
 #include "widgets/plots/plotlabels.h"
 #include "widgets/plots/plottickers.h"
@@ -66,7 +66,7 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     const QRectF corner(left + (low ? theme.u(4) : 0), top, box.left() - left - theme.u(low ? 4 : 7), height);
     painter.drawText(corner, static_cast<int>((low ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter), m_decor.unit);
     if (!m_decor.secondUnit.isEmpty()) {
-        const QRectF other(box.right() + theme.u(7), top, m_decor.secondRoom + theme.u(40), height);
+        const QRectF other(box.right() + theme.u(7), top, m_decor.secondAxisWidth + theme.u(40), height);
         painter.drawText(other, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
     }
     double x = box.left();
@@ -151,7 +151,7 @@ void StripFace::drawTrigger(QCPPainter &painter, const QRectF &box) const
     const Theme &theme = m_theme.theme();
     const QCPAxis &values = *m_rect.axis(m_decor.trigger->second ? QCPAxis::atRight : QCPAxis::atLeft);
     const double wanted = values.coordToPixel(m_decor.trigger->level);
-    const double y = std::floor(withinRoom(wanted, box.top(), box.bottom())) + 0.5;
+    const double y = std::floor(clamped(wanted, box.top(), box.bottom())) + 0.5;
     const bool inside = wanted >= box.top() && wanted <= box.bottom();
     QPen pen(theme.accent, 1);
     pen.setCosmetic(true);
@@ -224,7 +224,7 @@ void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> centre;
     for (const ValueTag &tag : m_decor.tags)
-        centre.push_back(withinRoom(place(tag), box.top() + line / 2, box.bottom() - line / 2));
+        centre.push_back(clamped(place(tag), box.top() + line / 2, box.bottom() - line / 2));
     std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return centre[a] < centre[b]; });
     // Push apart downwards, then back up from the lower edge, so that no two tags overlap.
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -237,7 +237,7 @@ void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
     painter.setFont(font);
     for (std::size_t i = 0; i < m_decor.tags.size(); ++i) {
         const ValueTag &tag = m_decor.tags[i];
-        const double x = box.right() + m_decor.secondRoom + theme.u(6);
+        const double x = box.right() + m_decor.secondAxisWidth + theme.u(6);
         QPen pen = tracePen(tag.look, theme);
         pen.setWidthF(theme.u(3));
         if (pen.style() != Qt::SolidLine)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/service/verdictview.h"
 
+#include "widgets/common/clamped.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/common/withinroom.h"
 
 #include <QAccessible>
 #include <QPainter>
@@ -231,7 +231,7 @@ int VerdictView::paintFacts(QPainter &painter, const QRect &box, double print) c
     const int width = box.width() / std::max(count, 4);
     const double natural = 2 * QFontMetricsF(theme.font(TextRole::Caption, font())).height()
         + QFontMetricsF(theme.font(TextRole::Large, font())).height();
-    print = withinRoom(box.height() / natural, 1.0, print);
+    print = clamped(box.height() / natural, 1.0, print);
     const QFont caption = printed(theme.font(TextRole::Caption, font()), print);
     const QFont large = printed(theme.font(TextRole::Large, font()), print);
     int height = 0;

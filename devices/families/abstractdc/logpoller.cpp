@@ -67,10 +67,10 @@ void LogPoller::count(const CanFrame &frame)
     if (!frame.extended && frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset)
         m_askedSeen.at(frame.id - id::logRequest) = frame.time;
     if (m_isRecording)
-        overhear(frame);
+        followRequest(frame);
 }
 
-void LogPoller::overhear(const CanFrame &frame)
+void LogPoller::followRequest(const CanFrame &frame)
 {
     if (!m_dialect || frame.extended || frame.size != 1)
         return;

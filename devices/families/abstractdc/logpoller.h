@@ -38,7 +38,7 @@ public:
 private:
     void receive(const CanFrame &frame);
     void count(const CanFrame &frame);
-    void overhear(const CanFrame &frame);
+    void followRequest(const CanFrame &frame);
     void schedule();
     void ask();
     void expired();

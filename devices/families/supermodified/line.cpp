@@ -269,7 +269,7 @@ void Line::onFrame(const Frame &frame)
         }
     }
     m_timing.late(frame);
-    m_overheard.notify(frame);
+    m_unsolicited.notify(frame);
 }
 
 void Line::finish(Result<Frame> result)

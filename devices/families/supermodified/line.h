@@ -75,7 +75,7 @@ public:
     [[nodiscard]] LinePolls &polls() { return m_polls; }
 
     /// Frames of others than our own exchange: another master's, or late replies.
-    [[nodiscard]] Listeners<const Frame &> &overheard() { return m_overheard; }
+    [[nodiscard]] Listeners<const Frame &> &unsolicited() { return m_unsolicited; }
 
     [[nodiscard]] Roster &roster() { return m_roster; }
     [[nodiscard]] const AnswerTime &answerTimes() const { return m_timing.times(); }
@@ -138,7 +138,7 @@ private:
     Timer m_timeout;
     Silence m_silence; ///< while it is awaited only stops are sent
     Timer m_kick;
-    Listeners<const Frame &> m_overheard;
+    Listeners<const Frame &> m_unsolicited;
     Subscription m_received;
     Subscription m_state;
 };

@@ -21,7 +21,7 @@ NodePresence::NodePresence(Line &line, const Node &node, Owner owner)
     , m_node(node)
     , m_owner(std::move(owner))
     , m_foreign(line.clock())
-    , m_overheard(line.overheard().add([this](const Frame &frame) { overhear(frame); }))
+    , m_unsolicited(line.unsolicited().add([this](const Frame &frame) { observe(frame); }))
 {
 }
 
@@ -64,7 +64,7 @@ void NodePresence::moved()
         m_supply = Supply::Kept;
 }
 
-void NodePresence::overhear(const Frame &frame)
+void NodePresence::observe(const Frame &frame)
 {
     const CommandForm *const message = messageOf(frame.command);
     const bool forUs = frame.to == m_node.id || frame.to == broadcastId;

@@ -49,7 +49,7 @@ private:
     static constexpr int missesOfSilence = 3;
     enum class Supply { Kept, Doubted, Lost };
 
-    void overhear(const Frame &frame);
+    void observe(const Frame &frame);
 
     Line &m_line;
     const Node &m_node;
@@ -61,7 +61,7 @@ private:
     std::optional<std::int64_t> m_position; ///< of the node
     std::int64_t m_step = 0;                ///< from the position before that
     Timer m_foreign;
-    Subscription m_overheard;
+    Subscription m_unsolicited;
 };
 
 } // namespace mb::supermodified

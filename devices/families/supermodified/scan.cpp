@@ -24,7 +24,7 @@ public:
     Search(std::shared_ptr<Line> line, ScanSink &sink)
         : m_line(std::move(line))
         , m_sink(sink)
-        , m_overheard(m_line->overheard().add([this](const Frame &frame) { heardLate(frame); }))
+        , m_unsolicited(m_line->unsolicited().add([this](const Frame &frame) { heardLate(frame); }))
     {
     }
 
@@ -60,7 +60,7 @@ private:
     std::vector<int> m_found;    ///< ids
     std::vector<int> m_recalled; ///< ids that only the memory of an earlier run knew
     std::vector<Place> m_late;   ///< somebody there answered when its question had been given up
-    Subscription m_overheard;
+    Subscription m_unsolicited;
 };
 
 std::vector<int> Search::rates() const

@@ -6,7 +6,7 @@
 namespace mb {
 
 /// std::clamp() for bounds that come of a layout: where there is no room between them `low` counts, and std::clamp() may not be asked.
-template <class T> [[nodiscard]] constexpr T withinRoom(T value, T low, T high)
+template <class T> [[nodiscard]] constexpr T clamped(T value, T low, T high)
 {
     return std::max(low, std::min(value, high));
 }

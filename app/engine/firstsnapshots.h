@@ -9,9 +9,9 @@
 namespace mb {
 
 /// The snapshot of every unit when it is found, once, as soon as it has told who it is and nothing else works on it. Engine thread.
-class Encounters {
+class FirstSnapshots {
 public:
-    Encounters(const EngineContext &context, const ParameterJobs &parameters, ProvisionalChanges &provisional)
+    FirstSnapshots(const EngineContext &context, const ParameterJobs &parameters, ProvisionalChanges &provisional)
         : m_context(context)
         , m_parameters(parameters)
         , m_provisional(provisional)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/engine/encounters.h"
+#include "app/engine/firstsnapshots.h"
 
 #include "model/unit.h"
 #include "settings/history.h"
@@ -22,7 +22,7 @@ Task<settings::ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog
 
 } // namespace
 
-bool Encounters::isReady(const Device &device) const
+bool FirstSnapshots::isReady(const Device &device) const
 {
     return m_parameters.log() && device.liveness().heard && !device.liveness().moving
         && device.identity().state == DeviceState::Online && device.gate().busy().empty()
@@ -30,7 +30,7 @@ bool Encounters::isReady(const Device &device) const
         && !readable(device).empty();
 }
 
-void Encounters::look()
+void FirstSnapshots::look()
 {
     for (Device *device : m_context.session.devices()) {
         const DeviceId id = m_context.session.idOf(*device);
@@ -49,7 +49,7 @@ void Encounters::look()
     std::erase_if(m_met, [this](const auto &entry) { return !m_context.session.find(entry.first); });
 }
 
-void Encounters::met(const Operations::Job &job, const Result<settings::ParameterSnapshot> &taken)
+void FirstSnapshots::met(const Operations::Job &job, const Result<settings::ParameterSnapshot> &taken)
 {
     const Device *device = m_context.session.find(job.device);
     if (!device)

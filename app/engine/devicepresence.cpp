@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/engine/rollcall.h"
+#include "app/engine/devicepresence.h"
 
 #include <iterator>
 
 namespace mb {
 
-void RollCall::look()
+void DevicePresence::look()
 {
     for (const Device *device : m_context.session.devices()) {
         const auto [entry, isNew] = m_present.try_emplace(m_context.session.idOf(*device));
@@ -25,7 +25,7 @@ void RollCall::look()
     }
 }
 
-void RollCall::hear(const Device &device, Presence &presence)
+void DevicePresence::hear(const Device &device, Presence &presence)
 {
     if (device.liveness().heard) {
         if (presence.lost)
@@ -41,7 +41,7 @@ void RollCall::hear(const Device &device, Presence &presence)
     }
 }
 
-void RollCall::refreshRestarted()
+void DevicePresence::refreshRestarted()
 {
     for (Device *device : m_context.session.devices()) {
         const DeviceId id = m_context.session.idOf(*device);
@@ -51,7 +51,7 @@ void RollCall::refreshRestarted()
         m_context.log.tell(Severity::Caution, *device,
             say("the unit restarted: what is volatile was lost, its parameters are read again"));
         device->parameters().forgetAll();
-        m_encounters.forget(id);
+        m_firstSnapshots.forget(id);
         m_context.operations.begin(
             id, {say("Look at the restarted unit"), OperationKind::Look},
             [](Device &unit, Progress &) { return unit.refresh(); },

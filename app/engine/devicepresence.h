@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/engine/encounters.h"
+#include "app/engine/firstsnapshots.h"
 #include "app/engine/trials.h"
 
 #include <map>
@@ -10,12 +10,13 @@
 namespace mb {
 
 /// Who came, who fell silent and who restarted since the last look. Engine thread.
-class RollCall {
+class DevicePresence {
 public:
-    RollCall(const EngineContext &context, ParameterJobs &parameters, Encounters &encounters, Trials &trials)
+    DevicePresence(
+        const EngineContext &context, ParameterJobs &parameters, FirstSnapshots &firstSnapshots, Trials &trials)
         : m_context(context)
         , m_parameters(parameters)
-        , m_encounters(encounters)
+        , m_firstSnapshots(firstSnapshots)
         , m_trials(trials)
     {
     }
@@ -36,7 +37,7 @@ private:
 
     EngineContext m_context;
     ParameterJobs &m_parameters;
-    Encounters &m_encounters;
+    FirstSnapshots &m_firstSnapshots;
     Trials &m_trials;
     std::map<DeviceId, Presence> m_present;
 };
