@@ -23,7 +23,8 @@ StopOutlet::StopOutlet(const Link &link, const Outlet &way)
     if (m_aside)
         return;
     m_own = ::fcntl(way.descriptor, F_DUPFD_CLOEXEC, 0);
-    m_port = guardian::makePort(wordOf(way.form), m_own);
+    if (const auto form = portFormOf(way.form))
+        m_port = guardian::makePort(*form, m_own);
 }
 
 StopOutlet::~StopOutlet()
@@ -110,7 +111,7 @@ std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<S
     std::vector<StopOrders> all;
     for (Link *link : session.links()) {
         const Outlet way = link->state() == LinkState::Open ? link->outlet() : Outlet{};
-        if (!way.isInheritable() || !wordOf(way.form))
+        if (!way.isInheritable() || !portFormOf(way.form))
             continue;
         StopOrders orders;
         for (Device *device : session.devices()) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guardian/line.h"
 
-#include "app/guardian/port.h"
 #include "place/place.h"
 
 #include <cstring>
@@ -68,9 +67,9 @@ int openSocket(const std::string &path)
 
 PlaceKind kindOf(const Whereabouts &where)
 {
-    return where.form == "packet" ? PlaceKind::CanInterface
-        : where.form == "spi"     ? PlaceKind::SpiDevice
-                                  : PlaceKind::SerialPort;
+    return where.form == PortForm::Packet ? PlaceKind::CanInterface
+        : where.form == PortForm::Spi     ? PlaceKind::SpiDevice
+                                          : PlaceKind::SerialPort;
 }
 
 } // namespace
@@ -151,7 +150,7 @@ int Line::openNow() const
     const std::string name = isPlace ? nameAt(kindOf(m_where), m_where.identity) : m_where.name;
     if (name.empty())
         return -1;
-    if (m_where.form == "packet")
+    if (m_where.form == PortForm::Packet)
         return openCan(name);
     if (m_where.identity.starts_with("unix:"))
         return openSocket(name);
@@ -204,7 +203,7 @@ Port::Sent Line::send(std::span<const std::uint8_t> bytes)
 void Line::prepare()
 {
     closeEar();
-    if (m_where.form == "packet")
+    if (m_where.form == PortForm::Packet)
         m_ear = openEar(m_descriptor);
     if (m_ear < 0)
         (void)read();
@@ -218,7 +217,7 @@ void Line::forget()
 
 std::size_t Line::messageSize() const
 {
-    return m_where.form == "packet" ? sizeof(can_frame) : 1;
+    return m_where.form == PortForm::Packet ? sizeof(can_frame) : 1;
 }
 
 Bytes Line::read()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/guardian/runner.h"
+#include "app/guardian/port.h"
 
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@ namespace mb::guardian {
 
 /// Which line a guardian serves, as its program tells it on the command line.
 struct Whereabouts {
-    std::string form;     ///< of makePort()
+    PortForm form = PortForm::Stream;
     std::string identity; ///< of the link: a place of hardware, or scheme and name
     std::string name;     ///< of today: can0, /dev/ttyUSB0, the path of a socket
 };
@@ -22,7 +22,6 @@ public:
     Line(Whereabouts where, int descriptor);
     ~Line() override;
 
-    [[nodiscard]] bool isLegal() const { return m_port != nullptr; }
     /// −1 while it is closed.
     [[nodiscard]] int descriptor() const { return m_descriptor; }
     /// False while it is not there. Opening an open one does nothing.

@@ -187,13 +187,12 @@ std::optional<Time> earlier(std::optional<Time> a, std::optional<Time> b)
 
 int main(int argc, char **argv)
 {
-    if (argc != 5 || ::fcntl(lineDescriptor, F_GETFD) < 0) {
+    const auto form = argc == 5 ? portFormFrom(argv[1]) : std::nullopt;
+    if (!form || ::fcntl(lineDescriptor, F_GETFD) < 0) {
         std::fputs("motorbench-guardian is started by motorbench and motorbenchctl, not by hand\n", stderr);
         return 2;
     }
-    Line line({argv[1], argv[3], argv[4]}, lineDescriptor);
-    if (!line.isLegal())
-        return 2;
+    Line line({*form, argv[3], argv[4]}, lineDescriptor);
     takePost();
     DebtBook book(argv[2], argv[3]);
     Paymaster *teller = nullptr;

@@ -97,13 +97,30 @@ Port::Sent verdictOn(int cause)
     }
 }
 
-std::unique_ptr<Port> makePort(std::string_view form, int descriptor)
+const char *toString(PortForm form)
 {
-    if (form == "packet" || form == "stream")
-        return std::make_unique<FilePort>(descriptor);
-    if (form == "spi")
+    switch (form) {
+    case PortForm::Packet: return "packet";
+    case PortForm::Stream: return "stream";
+    case PortForm::Spi: return "spi";
+    }
+    return "";
+}
+
+std::optional<PortForm> portFormFrom(std::string_view word)
+{
+    for (const PortForm form : {PortForm::Packet, PortForm::Stream, PortForm::Spi}) {
+        if (word == toString(form))
+            return form;
+    }
+    return std::nullopt;
+}
+
+std::unique_ptr<Port> makePort(PortForm form, int descriptor)
+{
+    if (form == PortForm::Spi)
         return std::make_unique<SpiPort>(descriptor);
-    return nullptr;
+    return std::make_unique<FilePort>(descriptor);
 }
 
 } // namespace mb::guardian

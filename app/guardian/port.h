@@ -4,13 +4,25 @@
 #include "app/guardian/runner.h"
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace mb::guardian {
 
-/// A port on an inherited descriptor, by the word the program gave: "packet" (one write, one message: CAN sockets), "stream"
-/// (terminals, stream sockets), "spi" (spidev, one transfer a message). nullptr for another word.
-[[nodiscard]] std::unique_ptr<Port> makePort(std::string_view form, int descriptor);
+/// How messages pass a descriptor.
+enum class PortForm {
+    Packet, ///< one write, one message: CAN sockets
+    Stream, ///< terminals, stream sockets
+    Spi,    ///< spidev, one transfer a message
+};
+
+/// Its word on the guardian's command line.
+[[nodiscard]] const char *toString(PortForm form);
+/// The same back; nothing for another word.
+[[nodiscard]] std::optional<PortForm> portFormFrom(std::string_view word);
+
+/// A port on an inherited descriptor.
+[[nodiscard]] std::unique_ptr<Port> makePort(PortForm form, int descriptor);
 
 /// What an error of a write or a transfer says of the device file.
 [[nodiscard]] Port::Sent verdictOn(int cause);

@@ -229,7 +229,7 @@ TEST(RunnerOnAPipe, AMessageThatWasGivenUpHalfWrittenTakesNothingFromTheNext)
     std::array<int, 2> ends{};
     ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC), 0);
     ASSERT_EQ(::fcntl(ends[1], F_SETPIPE_SZ, 4096), 4096);
-    const auto port = makePort("stream", ends[1]);
+    const auto port = makePort(PortForm::Stream, ends[1]);
     Runner runner(*port);
     runner.add(1, {plain(std::string(5000, 'x'), 5ms, 1)}, Time{}, Time{});
     ASSERT_EQ(runner.proceed(Time{}).size(), 1U) << "not given up";

@@ -43,8 +43,9 @@ int spawn(pid_t &pid, const std::string &program, const GuardedLine &guarded, in
     ::posix_spawnattr_setsigdefault(&attributes, &all);
     ::posix_spawnattr_setflags(
         &attributes, static_cast<short>(POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
+    const auto form = portFormOf(guarded.outlet.form);
     std::array<std::string, 5> words{
-        program, wordOf(guarded.outlet.form), guarded.folder, guarded.identity, guarded.name};
+        program, form ? toString(*form) : "", guarded.folder, guarded.identity, guarded.name};
     std::array<char *, 6> arguments{
         words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data(), nullptr};
     const int cause = ::posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);

@@ -91,17 +91,17 @@ StopScript scriptFromWire(const guardian::Script &script, Outlet::Form form)
     return made;
 }
 
-const char *wordOf(Outlet::Form form)
+std::optional<guardian::PortForm> portFormOf(Outlet::Form form)
 {
     switch (form) {
-    case Outlet::Form::CanSocket: return "packet";
+    case Outlet::Form::CanSocket: return guardian::PortForm::Packet;
     case Outlet::Form::Stream:
-    case Outlet::Form::SpiSocket: return "stream";
-    case Outlet::Form::SpiDevice: return "spi";
+    case Outlet::Form::SpiSocket: return guardian::PortForm::Stream;
+    case Outlet::Form::SpiDevice: return guardian::PortForm::Spi;
     case Outlet::Form::None:
     case Outlet::Form::InProcess: break;
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 } // namespace mb

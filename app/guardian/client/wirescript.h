@@ -2,8 +2,11 @@
 #pragma once
 
 #include "app/guardian/message.h"
+#include "app/guardian/port.h"
 #include "model/stopscript.h"
 #include "transport/link.h"
+
+#include <optional>
 
 namespace mb {
 
@@ -11,7 +14,7 @@ namespace mb {
 [[nodiscard]] guardian::Script wireScript(const StopScript &script, Outlet::Form form);
 /// The other way round, for what a guardian left behind.
 [[nodiscard]] StopScript scriptFromWire(const guardian::Script &script, Outlet::Form form);
-/// What guardian::makePort() calls this form; nullptr where nothing can be sent past the link.
-[[nodiscard]] const char *wordOf(Outlet::Form form);
+/// How a guardian sends there; nothing where nothing can be sent past the link.
+[[nodiscard]] std::optional<guardian::PortForm> portFormOf(Outlet::Form form);
 
 } // namespace mb
