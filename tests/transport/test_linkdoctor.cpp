@@ -241,8 +241,9 @@ TEST(LinkDoctor, ListingsAreMatchedByTheirInterface)
     link.state = LinkState::Lost;
     const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "x"};
     const Diagnosis other{Ailment::Down, say("can1 is switched off"), say("bring it up"), "y"};
-    std::vector<LinkListing> rows{{{"socketcan", "can1", {}}, LinkKind::Can, "down", Message(), false, other, false},
-        {{"socketcan", "can0", {}}, LinkKind::Can, "down", Message(), false, down, false}};
+    std::vector<LinkListing> rows{
+        {{"socketcan", "can1", {}}, LinkKind::Can, ListingState::Down, Message(), false, other, false},
+        {{"socketcan", "can0", {}}, LinkKind::Can, ListingState::Down, Message(), false, down, false}};
     EXPECT_EQ(diagnose(link, now, rows), down);
     rows.pop_back();
     EXPECT_EQ(diagnose(link, now, rows).ailment, Ailment::Gone);

@@ -25,8 +25,9 @@ namespace {
 std::vector<LinkListing> listings()
 {
     const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
-    return {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.message(), false, down, false},
-        {{"socketcan", "can1", {}}, LinkKind::Can, "up", Message::verbatim("gs_usb, 1 Mbit/s"), true, {}, false},
+    return {{{"socketcan", "can0", {}}, LinkKind::Can, ListingState::Down, down.message(), false, down, false},
+        {{"socketcan", "can1", {}}, LinkKind::Can, ListingState::Up, Message::verbatim("gs_usb, 1 Mbit/s"), true, {},
+            false},
         {{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, ListingState::Available,
             Message::verbatim("FTDI FT232R USB UART, serial number A50285BI, 0403:6001"), true, {}, false},
         {{"spidev", "/dev/spidev0.0", {}}, LinkKind::Spi, ListingState::Available, {}, true, {}, false}};

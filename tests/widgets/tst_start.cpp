@@ -475,7 +475,8 @@ void StartTest::nothingIsCutAtTwiceTheFont()
         FakeWorkbench bench;
         const Diagnosis down{
             Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
-        bench.links = {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.message(), false, down, false}};
+        bench.links
+            = {{{"socketcan", "can0", {}}, LinkKind::Can, ListingState::Down, down.message(), false, down, false}};
         ThemeSource theme{lightTheme(points)};
         applyTheme(*qApp, theme.theme());
         QScrollArea scroll;
