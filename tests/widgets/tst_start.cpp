@@ -473,10 +473,9 @@ void StartTest::nothingIsCutAtTwiceTheFont()
     QApplication::setFont(font);
     {
         FakeWorkbench bench;
-        const Diagnosis down{
-            Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
-        bench.links
-            = {{{"socketcan", "can0", {}}, LinkKind::Can, ListingState::Down, down.message(), false, down, false}};
+        const Diagnosis down{Ailment::Down, say("can0 is off"), say("bring it up"), "sudo ip link set can0 up"};
+        const LinkAddress can0{"socketcan", "can0", {}};
+        bench.links = {{can0, LinkKind::Can, ListingState::Down, down.message(), false, down, false}};
         ThemeSource theme{lightTheme(points)};
         applyTheme(*qApp, theme.theme());
         QScrollArea scroll;
