@@ -19076,5 +19076,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>two units answer as %1</source>
         <translation>zwei Geräte antworten als %1</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 </TS>

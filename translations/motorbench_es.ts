@@ -19076,5 +19076,9 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>two units answer as %1</source>
         <translation>dos equipos responden como %1</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
 </context>
 </TS>

@@ -19076,5 +19076,9 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>two units answer as %1</source>
         <translation>deux appareils répondent comme %1</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnu</translation>
+    </message>
 </context>
 </TS>

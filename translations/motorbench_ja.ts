@@ -19059,5 +19059,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>two units answer as %1</source>
         <translation>2 台の機器が %1 として応答しています</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>不明</translation>
+    </message>
 </context>
 </TS>

@@ -19059,5 +19059,9 @@ double click plots it, drag it to a pane or below them</source>
         <source>two units answer as %1</source>
         <translation>有两台设备以 %1 应答</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
 </context>
 </TS>
