@@ -134,8 +134,8 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
     QVERIFY2(written->has_value(), written->has_value() ? "" : written->error().text().c_str());
     const tuning::Trial sluggish = step(2000.0, 60.0);
     const tuning::Trial tuned = step(17700.0, 300.0);
-    QCOMPARE(sluggish.reason, tuning::EndReason::Done);
-    QCOMPARE(tuned.reason, tuning::EndReason::Done);
+    QVERIFY(sluggish.reason == tuning::EndReason::Done);
+    QVERIFY(tuned.reason == tuning::EndReason::Done);
     const auto number = [](const std::optional<double> &value) { return value.value_or(-1.0); };
     qInfo("rise %.3f s -> %.3f s, steady error %.1f %% -> %.1f %%, overshoot %.1f %% -> %.1f %%",
         number(sluggish.metrics.rise), number(tuned.metrics.rise), number(sluggish.metrics.sse) * 100.0,

@@ -143,8 +143,8 @@ TEST(CanInterfaceMessage, OtherNetworksAndHalfAMessageAreNoInterface)
 std::string rowText(const CanInterface &interface)
 {
     const LinkListing row = listed(interface);
-    return row.link.text() + " | " + row.state + " | " + row.detail.english() + (row.openable ? " | openable" : "")
-        + (row.listenable ? " | listenable" : "");
+    return row.link.text() + " | " + std::string(toString(row.state)) + " | " + row.detail.english()
+        + (row.openable ? " | openable" : "") + (row.listenable ? " | listenable" : "");
 }
 
 TEST(CanListing, DescribesAnInterfaceThatCanBeUsed)

@@ -68,7 +68,7 @@ TEST_P(BatteryOf, EverySizeIsSteppedBothWaysAndTheGainsThatWereTriedGoBackEachTi
         const std::size_t said = unit.notes().size();
         const auto trial = test::run(unit.clock(), start(step), 2min);
         ASSERT_TRUE(trial) << step.to << ": " << trial.error().text();
-        EXPECT_EQ(trial->reason, "done") << step.to << ": " << trial->detail;
+        EXPECT_EQ(trial->reason, EndReason::Done) << step.to << ": " << trial->detail;
         ASSERT_GT(unit.notes().size(), said);
         EXPECT_NE(unit.notes().back().second.find("from where it stands"), std::string::npos)
             << unit.notes().back().second;
@@ -97,7 +97,7 @@ TEST_P(BatteryOf, AGuardEndsAStepOfItAndTheGainsThatWereTriedGoBack)
     EXPECT_TRUE(unit.simulator().disturb("stall", 1.0));
     ASSERT_TRUE(unit.clock().runUntil([&] { return task.isFinished(); }, 60s));
     ASSERT_TRUE(task.result()) << task.result().error().text();
-    EXPECT_EQ(task.result()->reason, "no motion") << task.result()->detail;
+    EXPECT_EQ(task.result()->reason, EndReason::NoMotion) << task.result()->detail;
     unit.expectStandsAsBefore();
 }
 

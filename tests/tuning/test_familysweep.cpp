@@ -93,7 +93,7 @@ TEST_P(FrequencyResponseOf, ItsMotorIsThatOfTheMotorAndStaysWithinWhatWasSaid)
     const Instant begin = swept.unit.clock().now();
     const FrequencyResponse measured = swept.measure();
     const double seconds = std::chrono::duration<double>(swept.unit.clock().now() - begin).count();
-    EXPECT_TRUE(measured.stopReason.empty()) << measured.stopReason << ": " << measured.evidence;
+    EXPECT_EQ(measured.stopReason, EndReason::None) << measured.evidence;
     EXPECT_TRUE(measured.stopped);
     EXPECT_EQ(swept.sines, static_cast<int>(swept.plan.hertz.size()));
     ASSERT_EQ(measured.points.size(), swept.plan.hertz.size()) << measured.evidence;
@@ -144,7 +144,7 @@ TEST_P(FrequencyResponseOf, AMotorThatTroubleStrikesIsNoneAndItStandsWithItsGain
         }
         ASSERT_TRUE(swept.unit.clock().runUntil([&] { return task.isFinished(); }, 2min));
         ASSERT_TRUE(task.result()) << what;
-        EXPECT_EQ(task.result()->stopReason, trouble.reason) << what << ": " << task.result()->evidence;
+        EXPECT_EQ(toString(task.result()->stopReason), trouble.reason) << what << ": " << task.result()->evidence;
         EXPECT_TRUE(task.result()->stopped) << what;
         EXPECT_FALSE(task.result()->evidence.empty());
         swept.unit.expectStandsAsBefore();

@@ -16,7 +16,7 @@ const Family &familyOf(std::string_view key)
     return *findFamily(families(), key);
 }
 
-constexpr Envelope bounds{.travel = 1000.0, .speed = 50'000.0, .current = 10.0, .duty = 0.5};
+constexpr Envelope foreseen{.travel = 1000.0, .speed = 50'000.0, .current = 10.0, .duty = 0.5};
 
 TEST(Foresight, APlanBeginsWhereTheMotorStandsOnlyInPositionMode)
 {
@@ -24,12 +24,12 @@ TEST(Foresight, APlanBeginsWhereTheMotorStandsOnlyInPositionMode)
     ExperimentPlan plan;
     plan.mode = Mode::Position;
     plan.to = 300.0;
-    const auto place = stimulusWithin(family, bounds, plan, {100.0, 100.0, 0.0});
+    const auto place = stimulusWithin(family, foreseen, plan, {100.0, 100.0, 0.0});
     ASSERT_TRUE(place) << place.error().text();
     EXPECT_EQ(place->from, 100.0);
     plan.mode = Mode::Current;
     plan.to = 3.0;
-    EXPECT_EQ(stimulusWithin(family, bounds, plan, {100.0, 100.0, 0.0})->from, 0.0);
+    EXPECT_EQ(stimulusWithin(family, foreseen, plan, {100.0, 100.0, 0.0})->from, 0.0);
 }
 
 TEST(Foresight, APlanThatGoesNowhereOrTooFarIsRefused)
@@ -38,35 +38,35 @@ TEST(Foresight, APlanThatGoesNowhereOrTooFarIsRefused)
     ExperimentPlan plan;
     plan.mode = Mode::Position;
     plan.to = 100.0;
-    EXPECT_EQ(
-        stimulusWithin(family, bounds, plan, {100.0, 100.0, 0.0}).error().detail, "there is no way from 100 to itself");
+    EXPECT_EQ(stimulusWithin(family, foreseen, plan, {100.0, 100.0, 0.0}).error().detail,
+        "there is no way from 100 to itself");
     plan.to = 1200.0;
-    EXPECT_EQ(stimulusWithin(family, bounds, plan, {100.0, 100.0, 0.0}).error().fault, Fault::OutOfRange);
-    EXPECT_TRUE(stimulusWithin(family, bounds, plan, {300.0, 300.0, 0.0}));
+    EXPECT_EQ(stimulusWithin(family, foreseen, plan, {100.0, 100.0, 0.0}).error().fault, Fault::OutOfRange);
+    EXPECT_TRUE(stimulusWithin(family, foreseen, plan, {300.0, 300.0, 0.0}));
     plan.seconds = -1.0;
-    EXPECT_FALSE(stimulusWithin(family, bounds, plan, {300.0, 300.0, 0.0}));
+    EXPECT_FALSE(stimulusWithin(family, foreseen, plan, {300.0, 300.0, 0.0}));
 }
 
 TEST(Foresight, AFirstStepIsWellInsideWhatIsKnown)
 {
     const Family &family = familyOf("dmc60c");
-    const auto target = [&](Mode mode, const Envelope &known, double here = 0.0) {
-        return usualTarget(family, mode, known, here, 4096.0);
+    const auto target = [&](Mode mode, const Envelope &limits, double here = 0.0) {
+        return usualTarget(family, mode, limits, here, 4096.0);
     };
     Envelope one;
     one.speed = 50'000.0;
     one.duty = 0.1;
-    EXPECT_EQ(target(Mode::Velocity, bounds), 50.0) << "its travel is narrower than its speed";
+    EXPECT_EQ(target(Mode::Velocity, foreseen), 50.0) << "its travel is narrower than its speed";
     EXPECT_EQ(target(Mode::Velocity, one), 20'000.0);
     EXPECT_EQ(target(Mode::Velocity, {}), std::nullopt);
-    EXPECT_EQ(target(Mode::Current, bounds), 4.0);
+    EXPECT_EQ(target(Mode::Current, foreseen), 4.0);
     EXPECT_EQ(target(Mode::Current, family.trials->bench), 6.0) << "of what no simulated motor reaches";
     EXPECT_EQ(target(Mode::Current, {}), std::nullopt);
-    EXPECT_EQ(target(Mode::Position, bounds, 100.4), 500.0) << "two fifths of the travel from here";
+    EXPECT_EQ(target(Mode::Position, foreseen, 100.4), 500.0) << "two fifths of the travel from here";
     EXPECT_EQ(target(Mode::Position, {}), 1600.0) << "of a turn";
-    EXPECT_EQ(target(Mode::Duty, bounds), 0.2);
+    EXPECT_EQ(target(Mode::Duty, foreseen), 0.2);
     EXPECT_EQ(target(Mode::Duty, one), 0.1);
-    EXPECT_EQ(target(Mode::Voltage, bounds), std::nullopt);
+    EXPECT_EQ(target(Mode::Voltage, foreseen), std::nullopt);
 }
 
 TEST(Foresight, GainsThatNobodyCouldPutBackStay)
