@@ -13,9 +13,10 @@ namespace mb::tuning {
 namespace {
 
 constexpr double band = 0.02;
-constexpr double tailFrom = 0.75;      ///< of all the time, from which on it is where it ends
-constexpr double quiet = 1e-3;         ///< σ of the step below which nothing is smoothed
-constexpr double muchNoise = 0.05;     ///< σ with which one sample says little
+constexpr double tailFrom = 0.75;  ///< of all the time, from which on it is where it ends
+constexpr double quiet = 1e-3;     ///< σ of the step below which nothing is smoothed
+constexpr double muchNoise = 0.05; ///< σ with which one sample says little
+constexpr int manyRepeats = 6;
 constexpr int enoughRepeats = 4;       ///< that tell a settling time in unreadableNoise
 constexpr double fewSamples = 1.6;     ///< periods either side: where it is steep, or without noise
 constexpr double manySamples = 4.2;    ///< where it is flat

@@ -55,9 +55,6 @@ struct Response {
     double rising = 0.0;  ///< s, edge → half of the end
 };
 
-/// From so many repeats on their mean says more than any one of them.
-inline constexpr int manyRepeats = 6;
-
 /// Reads one response: samples of the measured value, t = 0 at the edge, some of them before it; from where it was then to
 /// `target`. `repeats`: how many runs are merged in it (equivalenttime.h). Rise, overshoot, settle, sse, iae, itae, noise.
 /// One that still rises when the samples end has not come to where it ends: no rise and no overshoot is told of it.

@@ -72,25 +72,18 @@ std::optional<Instant> cutOf(const Trial &trial, const Spans &holds, const Spans
     return trial.has(flag::aborted) ? std::optional(last) : std::nullopt;
 }
 
-void average(Metrics &into, const std::vector<Metrics> &runs, std::optional<double> Metrics::*member)
+void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
 {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const Metrics &run : runs) {
-        sum += (run.*member).value_or(0.0);
-        count += run.*member ? 1U : 0U;
+    for (const auto member : {&Metrics::peakCurrent, &Metrics::dutyChatter, &Metrics::saturated}) {
+        double sum = 0.0;
+        std::size_t count = 0;
+        for (const Metrics &run : runs) {
+            sum += (run.*member).value_or(0.0);
+            count += run.*member ? 1U : 0U;
+        }
+        if (count > 0)
+            into.*member = sum / static_cast<double>(count);
     }
-    if (count > 0)
-        into.*member = sum / static_cast<double>(count);
-}
-
-/// What each run has of its own: that one repeat ends a little beside another is no noise, unless noise is all that one shows.
-void averageRuns(Metrics &into, const std::vector<Metrics> &runs)
-{
-    for (const auto member : {&Metrics::peakCurrent, &Metrics::dutyChatter, &Metrics::saturated})
-        average(into, runs, member);
-    if (std::ssize(runs) < manyRepeats)
-        average(into, runs, &Metrics::noise);
 }
 
 bool isRampLimited(const Trial &trial, const Family &family)
@@ -246,7 +239,7 @@ void measure(Trial &trial, const Family &family, const TrialRecorder &recorder, 
             reading.runs[i].peakCurrent.reset(); // its channel has no scale
     }
     Metrics metrics = reading.response.metrics;
-    averageRuns(metrics, reading.runs);
+    averageEffort(metrics, reading.runs);
     if (steps && trial.stimulus.profile == Profile::Step)
         metrics.undershoot = back.response.metrics.overshoot;
     trial.metrics = metrics;

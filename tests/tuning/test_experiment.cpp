@@ -66,7 +66,6 @@ TEST(Experiment, AHoldThatEndsByItselfLastsUntilTheLoopIsWhereItWillRest)
     expectDone(trial);
     EXPECT_LE(trial->errors.settle.value_or(1.0), 0.3); // 0.57 when one was cut off on its way, and 0.03 of the end
     EXPECT_LE(trial->errors.sse.value_or(1.0), 0.01);
-    EXPECT_LE(trial->metrics.noise.value_or(1.0), 0.002) << "that two runs end a little apart is no noise";
 }
 
 TEST(Experiment, AHoldEndsByItselfAlsoWhereALoopRestsBesideItsTarget)
