@@ -122,6 +122,15 @@ std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueCh
     return wanted;
 }
 
+bool mayHaveToConfirm(const Family &family, std::span<const ValueChange> values)
+{
+    return std::ranges::any_of(values, [&family](const ValueChange &value) {
+        const auto index = findParameter(family.parameters, value.key);
+        return index && !value.before
+            && (isAddress(family.parameters[index->value]) || isLimit(family.parameters[index->value]));
+    });
+}
+
 Message textOf(const Family &family, const SettingsChange &change)
 {
     Message text;

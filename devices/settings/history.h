@@ -33,6 +33,8 @@ struct HistoryView {
 /// Those of the values that can cut a unit off (its number on the bus, its bit rate) or make a motor livelier than before (a
 /// limit that became wider, or was switched off), were not refused, and were known before: what became safer stays.
 [[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
+/// A limit or an address is among them of which nobody knows what it was.
+[[nodiscard]] bool mayHaveToConfirm(const Family &family, std::span<const ValueChange> values);
 
 /// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people; empty where the unit took nothing of it.
 [[nodiscard]] Message textOf(const Family &family, const SettingsChange &change);

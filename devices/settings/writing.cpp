@@ -100,8 +100,8 @@ Task<std::optional<std::int64_t>> beginKept(
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
-    const bool isUnknown = std::ranges::any_of(change.values, [](const ValueChange &value) { return !value.before; });
-    const bool asks = asksToBeKept(change.purpose) && (isUnknown || !toConfirm(family, change.values).empty());
+    const bool asks = asksToBeKept(change.purpose)
+        && (mayHaveToConfirm(family, change.values) || !toConfirm(family, change.values).empty());
     const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
