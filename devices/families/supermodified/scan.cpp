@@ -342,7 +342,8 @@ Task<void> Search::learnOthers(int address)
 Task<bool> Search::learnMask(Node node)
 {
     Line::Request request = asking(node, Command::GetNodeMask);
-    const bool isKnown = m_line->roster().nodes().contains(node.id);
+    const bool isKnown = m_line->roster().nodes().contains(node.id)
+        && std::ranges::find(m_recalled, node.id) == m_recalled.end(); // an earlier run's may be gone
     for (int attempt = 0; attempt < attemptsForOther; ++attempt) {
         request.patience = isKnown ? std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling) : silence();
         Result<Frame> reply = co_await ask(*m_line, request).attempt();
