@@ -167,8 +167,8 @@ Task<bool> TuneDesign::improved()
         co_return false; // what is not known of its winding has cost it nothing that less caution would give back
     if (const bool proposed = co_await proposeOn(plant.value_or(m_held->plant)); !proposed)
         co_return false;
-    const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, m_held->step);
     const TuneReport &report = m_run.report();
+    const double promised = promisedError(basis(), m_held->proposed.made, m_held->predicted->shape, report.step);
     const double better = promisedError(basis(), report.proposed.made, report.predicted->shape, report.step);
     if (!(better < worthAProof * promised))
         co_return false;
