@@ -181,6 +181,10 @@ void TestProductionSight::whatRunsWhileAnotherIsSetAsideIsSeenWhenItIsCutOff()
     ++second.tries;
     bench.show({sightRow(1, service::RowState::Failed, "A1"), second});
     QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
+    QTest::keyClick(bench.page.get(), Qt::Key_F8);
+    second.visit.id = "in another queue"; // whose rows are counted from 1 again
+    bench.show({second});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
 }
 
 void TestProductionSight::afterTheEndOfAQueueNoKeyIsSaidToTestAgain()

@@ -165,8 +165,7 @@ const QueueRow *lastEnded(const ServiceView &view, const SetAside &setAside)
         return nullptr;
     const QueueRow *last = nullptr;
     for (const QueueRow &row : view.rows) {
-        const auto found = setAside.find(row.id);
-        const bool seen = found != setAside.end() && found->second == row.tries;
+        const bool seen = setAside.contains({row.id, row.visit.id, row.tries});
         if (hasVerdict(row) && !seen && (!last || endOf(row.visit) >= endOf(last->visit)))
             last = &row;
     }
@@ -177,7 +176,7 @@ void setAllAside(const ServiceView &view, SetAside &setAside)
 {
     for (const QueueRow &row : view.rows) {
         if (hasVerdict(row))
-            setAside[row.id] = row.tries;
+            setAside.insert({row.id, row.visit.id, row.tries});
     }
 }
 

@@ -4,12 +4,15 @@
 #include "widgets/common/serviceview.h"
 #include "widgets/service/verdictview.h"
 
-#include <map>
+#include <set>
+#include <string>
+#include <tuple>
 
 namespace mb {
 
-/// Rows whose verdict somebody has seen, each with how often it had been begun by then: what comes of the next time is seen again.
-using SetAside = std::map<std::uint32_t, int>;
+/// Rows whose verdict somebody has seen, each with its visit and how often it had been begun by then: what comes of the next time, or in
+/// another queue, is seen again.
+using SetAside = std::set<std::tuple<std::uint32_t, std::string, int>>;
 
 /// What the bench shows large: the unit that is being served, else the one that ended last or was cut off, else that it is ready.
 /// `page`: whose keys are named; `hasRecipe`: what another page began cannot be begun here again without one.
