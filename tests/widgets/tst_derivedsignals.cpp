@@ -135,6 +135,10 @@ void TestDerivedSignals::namesNeitherOfTwoUnitsByANumberThatBothHave()
     bench.workbench.publish();
     QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_can0_velocity, dmc60c5_can1_velocity"));
     QCOMPARE(wrong("dmc60c5_can0_velocity - dmc60c5_can1_velocity"), QString());
+    devices[0].link = "sim:can";
+    devices[1].link = "sim:can?seed=2";
+    bench.workbench.publish();
+    QCOMPARE(wrong("dmc60c5_can_velocity - dmc60c5_can_seed_2_velocity"), QString());
     devices[1].family = findFamily(families(), "abstractdc");
     bench.workbench.publish();
     QCOMPARE(wrong("2 * d5_velocity"), s("d5_velocity may be one of dmc60c5_velocity, abstractdc5_velocity"));

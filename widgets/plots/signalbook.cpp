@@ -43,8 +43,9 @@ QString nameAmong(const std::vector<DeviceView> &devices, const DeviceView &devi
     const QString name = asName(device.family->key) + QString::number(device.identity->address);
     if (!others([&](const DeviceView &other) { return other.family == device.family; }))
         return name;
-    const auto link = LinkAddress::parse(device.link);
-    return name + QLatin1Char('_') + asName(link ? link->path : device.link);
+    const std::string behindScheme
+        = device.link.substr(device.link.find(':') + 1); // with what tells two of one path apart
+    return name + QLatin1Char('_') + asName(behindScheme);
 }
 
 QString nameOfChannel(const QString &device, const Channel &channel)
