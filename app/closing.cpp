@@ -92,21 +92,29 @@ void Closing::askOrBegin()
         return begin();
     m_about = next->kind;
     QStringList places;
+    for (const Unfinished &one : all) {
+        if (one.kind == m_about)
+            places += one.what;
+    }
+    const Words words = wordsOf(next->kind, places.join(QStringLiteral(", ")), {});
+    const QAbstractButton &go = ask(words.question, detailOf(all), words.go);
+    connect(&go, &QAbstractButton::clicked, this, &Closing::askOrBegin);
+}
+
+/// What becomes of those that are asked about, as they are now.
+QString Closing::detailOf(const std::vector<Unfinished> &all) const
+{
     QStringList left;
     bool critical = false;
     for (const Unfinished &one : all) {
         if (one.kind != m_about)
             continue;
-        places += one.what;
         left += one.left;
         critical = critical || !one.mayInterrupt;
     }
     left.removeDuplicates();
-    const Words words = wordsOf(next->kind, places.join(QStringLiteral(", ")), left.join(QLatin1Char(' ')));
-    const QAbstractButton &go = ask(words.question,
-        critical ? tr("What is written now must not be cut: the window closes once it is over.") : words.detail,
-        words.go);
-    connect(&go, &QAbstractButton::clicked, this, &Closing::askOrBegin);
+    return critical ? tr("What is written now must not be cut: the window closes once it is over.")
+                    : wordsOf(*m_about, {}, left.join(QLatin1Char(' '))).detail;
 }
 
 QAbstractButton &Closing::ask(const QString &question, const QString &what, const QString &go)
@@ -193,6 +201,8 @@ void Closing::followQuestion()
 {
     const std::vector<Unfinished> all = unfinishedIn(m_window, m_workbench);
     const auto isMeant = [this](const Unfinished &one) { return one.kind == m_about; };
+    if (m_about && m_question)
+        m_question->setInformativeText(detailOf(all));
     if (m_about ? std::ranges::any_of(all, isMeant) : !turning().isEmpty())
         return;
     if (m_question)

@@ -42,6 +42,7 @@ private:
     enum class State { Open, Asking, Ending, Free };
 
     void askOrBegin();
+    [[nodiscard]] QString detailOf(const std::vector<Unfinished> &all) const;
     void askAboutMotors();
     /// The button that goes on.
     [[nodiscard]] QAbstractButton &ask(const QString &question, const QString &what, const QString &go);
