@@ -183,11 +183,15 @@ void LiveStatesTest::whereThereIsLittleRoomTheBarIsShownWhileSomethingHolds()
     workbench.publish();
     QVERIFY(!bar.isHidden());
     workbench.device(0).states.set(state("limit.forward.switch"), false);
+    workbench.publish();
+    QVERIFY(!bar.isHidden()); // the page stays where it is
+    bar.setWanted(LiveStateBar::Wanted::Never);
+    QVERIFY(bar.isHidden());
+    bar.setWanted(LiveStateBar::Wanted::IfSomethingHolds);
+    QVERIFY(bar.isHidden());
     workbench.device(0).kept.state = KeptMove::State::Acknowledged;
     workbench.publish();
     QVERIFY(!bar.isHidden());
-    bar.setWanted(LiveStateBar::Wanted::Never);
-    QVERIFY(bar.isHidden());
 }
 
 void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()

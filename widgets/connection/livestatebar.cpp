@@ -41,13 +41,16 @@ QSize LiveStateBar::minimumSizeHint() const
 
 bool LiveStateBar::isWantedFor(const DeviceView &device) const
 {
-    const bool holds = !alertsOf(device).isEmpty() || device.kept.state != KeptMove::State::None;
-    return m_wanted == Wanted::Always || (m_wanted == Wanted::IfSomethingHolds && holds);
+    return m_wanted == Wanted::Always || (m_wanted == Wanted::IfSomethingHolds && m_held == device.id);
 }
 
 void LiveStateBar::follow()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (device && (!alertsOf(*device).isEmpty() || device->kept.state != KeptMove::State::None))
+        m_held = device->id;
+    else if (!device || m_held != device->id || m_wanted == Wanted::Never)
+        m_held = {};
     setVisible(device && !device->family->states.empty() && isWantedFor(*device));
     if (isHidden())
         return;

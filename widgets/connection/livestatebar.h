@@ -16,7 +16,8 @@ class LiveStateBar : public QWidget {
 public:
     LiveStateBar(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
     enum class Wanted { Never, IfSomethingHolds, Always };
-    /// On this page, where the device tells something. IfSomethingHolds: a limit, or a move that waits in the device.
+    /// On this page, where the device tells something. IfSomethingHolds: a limit, or a move that waits in the device, or one of them did
+    /// since the device was chosen: a current that is limited now and then does not move the page.
     void setWanted(Wanted wanted);
     /// What is said of its limits.
     [[nodiscard]] const QString &words() const { return m_words; }
@@ -34,6 +35,7 @@ private:
     Selection &m_selection;
     const ThemeSource &m_theme;
     Wanted m_wanted = Wanted::Never;
+    DeviceId m_held; ///< something held there
     LiveStates m_shown;
     DeviceId m_device;
     int m_axis = 0;
