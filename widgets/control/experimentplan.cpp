@@ -127,6 +127,10 @@ ExperimentCheck checkExperiment(
         check.words = ExperimentText::tr("Enter where the loop is to go.");
         return check;
     }
+    if (plan.from.value_or(wish.mode == Mode::Position ? here : 0.0) == plan.to) {
+        check.words = ExperimentText::tr("It is there already; enter another place to go to.");
+        return check;
+    }
     const auto stimulus = tuning::stimulusWithin(family, *envelope, plan, {here, here, 0.0});
     check.good = stimulus.has_value();
     check.words = stimulus ? insideText(*stimulus, wish, *envelope, units) : errorText(stimulus.error());

@@ -62,14 +62,13 @@ double holdOf(const Trial &trial)
     return least;
 }
 
-/// s, of the shorter hold where two have been held for clearly other times: what one does after its return is no answer to the set-point
-/// of the other.
-std::optional<double> commonEnd(const KeptTrial *a, const KeptTrial *b)
+/// They come back at clearly other times: what one does then is no answer to the set-point of the other.
+bool comeBackApart(const KeptTrial *a, const KeptTrial *b)
 {
     if (!a || !b || a->trial.holds.empty() || b->trial.holds.empty())
-        return std::nullopt;
+        return false;
     const auto [shorter, longer] = std::minmax({holdOf(a->trial), holdOf(b->trial)});
-    return longer - shorter > alikeHolds * longer ? std::optional(shorter) : std::nullopt;
+    return longer - shorter > alikeHolds * longer;
 }
 
 /// Where the response is highest above (or lowest below) where it ends, during the hold.
@@ -121,7 +120,7 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
     m_stack->strips().clear();
     m_legend.clear();
     m_length = 0.0;
-    m_end = commonEnd(a, b);
+    m_isWithoutReturn = comeBackApart(a, b);
     m_drawnStrips = strips();
     const Side sideA{a, QStringLiteral("A"), false};
     const Side sideB{b, QStringLiteral("B"), true};
@@ -183,8 +182,8 @@ void ResponsePlot::add(
     const Trial &trial = side.kept->trial;
     const ShownUnit unit = shownUnit(row->quantity, trial.signal(channel)->unit, units);
     Trace trace = trial.folded(channel);
-    if (m_end && !trace.isEmpty())
-        trace = trace.part(trace.t.front(), *m_end);
+    if (m_isWithoutReturn && !trace.isEmpty() && holdOf(trial) > 0.0)
+        trace = trace.part(trace.t.front(), holdOf(trial));
     if (!trace.isEmpty())
         m_length = std::max(m_length, trace.t.back());
     TraceStyle style;
@@ -220,16 +219,16 @@ void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double
     std::vector<PlotPoint> points{{-beforeEdge, trial.stimulus.from * unit.scale}};
     if (trial.stimulus.profile == tuning::Profile::Step || trial.stimulus.profile == tuning::Profile::Square) {
         for (const auto &[t, value] : {std::pair(0.0, trial.stimulus.from), std::pair(0.0, trial.stimulus.to),
-                 std::pair(m_end.value_or(hold), trial.stimulus.to)})
+                 std::pair(m_isWithoutReturn ? length : hold, trial.stimulus.to)})
             points.push_back({t, value * unit.scale});
-        if (!m_end)
+        if (!m_isWithoutReturn)
             points.push_back({hold, trial.stimulus.from * unit.scale});
     } else {
         const double fine = std::max(hold / 2000.0, 0.001);
-        for (double t = 0.0; t < m_end.value_or(hold); t += fine)
+        for (double t = 0.0; t < hold; t += fine)
             points.push_back({t, trial.stimulus.at(t) * unit.scale});
     }
-    if (!m_end)
+    if (!m_isWithoutReturn)
         points.push_back({std::max(length, hold), trial.stimulus.from * unit.scale});
     TraceStyle style;
     style.name = tr("set-point");

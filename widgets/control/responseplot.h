@@ -60,8 +60,8 @@ private:
     const ThemeSource &m_theme;
     int m_drawnStrips = 3;
     PlotStack *m_stack = nullptr;
-    double m_length = 0.0;       ///< s, of the longest response
-    std::optional<double> m_end; ///< s, beyond which the two are not compared
+    double m_length = 0.0;          ///< s, of the longest response
+    bool m_isWithoutReturn = false; ///< each is drawn as long as it was held
     std::vector<CurveLegend::Entry> m_legend;
 };
 

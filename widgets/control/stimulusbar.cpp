@@ -112,7 +112,7 @@ QWidget *StimulusBar::buildRow()
     m_glyph = new StateGlyph(m_theme, GlyphState::Gone, box);
     m_verdict = new ElidedLabel({}, box);
     setTone(*m_verdict, Tone::Dim);
-    row->addWidget(m_kind);
+    row->addWidget(m_kind, 100);
     row->addWidget(m_from);
     row->addWidget(textLabel(QStringLiteral("▸"), TextRole::Body, Tone::Dim, box));
     row->addWidget(m_to);
@@ -137,7 +137,9 @@ void StimulusBar::fillKinds()
         m_kind->setItemData(m_kind->count() - 1, hintOf(kind), Qt::ToolTipRole);
     }
     m_kind->setCurrentIndex(static_cast<int>(m_choice.profile));
-    m_kind->setMinimumWidth(m_kind->sizeHint().width() + theme.u(10)); // the sheet's padding is not in the hint
+    const int hint = m_kind->sizeHint().width();
+    m_kind->setMinimumWidth(hint - theme.u(40)); // a narrow page cuts its words before it covers what stands beside it
+    m_kind->setMaximumWidth(hint + theme.u(10)); // the sheet's padding is not in the hint
 }
 
 void StimulusBar::setUnits(Mode mode, const DisplayUnits &units)
