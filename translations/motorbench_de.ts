@@ -3696,6 +3696,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Enter where the loop is to go.</source>
         <translation>Eingeben, wohin der Regelkreis soll.</translation>
     </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>Dort ist er schon; ein anderes Ziel eingeben.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ExportBar</name>

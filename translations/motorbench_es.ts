@@ -3696,6 +3696,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <source>Enter where the loop is to go.</source>
         <translation>Introduzca adónde debe ir el lazo.</translation>
     </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>Ya está ahí; introduzca otro destino.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ExportBar</name>

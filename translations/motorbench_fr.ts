@@ -3696,6 +3696,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <source>Enter where the loop is to go.</source>
         <translation>Saisissez où la boucle doit aller.</translation>
     </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>Il y est déjà&#x202f;; saisissez une autre destination.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ExportBar</name>

@@ -3694,6 +3694,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Enter where the loop is to go.</source>
         <translation>制御ループの行き先を入力してください。</translation>
     </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>すでにその位置です。別の行き先を入力してください。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ExportBar</name>

@@ -3694,6 +3694,10 @@ Double click or Enter plots it; drag it to a plot.</source>
         <source>Enter where the loop is to go.</source>
         <translation>请输入回路的目标。</translation>
     </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>已在该处；请输入其他目标。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ExportBar</name>

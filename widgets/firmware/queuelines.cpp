@@ -90,7 +90,8 @@ QString nameOf(const DeviceView &device)
 /// Of a unit that is gone: the last that the journal knows of it.
 QString placeOf(const service::Visit &visit)
 {
-    return QLatin1Char('#') + qt(partsOf(visit.device).address);
+    const SelectorParts parts = partsOf(visit.device);
+    return QLatin1Char('#') + qt(parts.address) + qt(parts.session);
 }
 
 QString versionsOf(const std::string &from, const std::string &to)

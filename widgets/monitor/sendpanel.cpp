@@ -108,7 +108,9 @@ void SendPanel::follow()
     m_typed = readTypedFrame(m_id->text(), m_format->current() == 1, m_data->text());
     m_permit = m_typed.frame ? permit() : FramePermit{};
     const bool empty = m_id->text().trimmed().isEmpty();
-    const QString problem = m_permit.refusal ? errorText(*m_permit.refusal) : empty ? QString() : m_typed.problem;
+    const QString problem = m_permit.refusal ? messageText(m_permit.refusal->message())
+        : empty                              ? QString()
+                                             : m_typed.problem;
     if (isRepeating() && (!m_typed.frame || m_permit.refusal))
         endRepeat(m_typed.frame ? problem : m_typed.problem);
     m_id->setEnabled(!isRepeating());

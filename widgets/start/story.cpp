@@ -168,7 +168,8 @@ QString storyText(const Story &story, const char *english, const QString &key)
             ? StoryWords::tr("It stores by itself %1 s after its last change: wait for that.").arg(storesAfter)
                 + QLatin1Char(' ')
             : QString());
-    text.replace(QLatin1String("%7"), qt(currentSwitch(*family)));
+    const std::string_view limit = currentSwitch(*family);
+    text.replace(QLatin1String("%7"), qt(limit.substr(0, limit.rfind('.')))); // with what it is set to
     text.replace(QLatin1String("%1"), unitOf(story));
     text.replace(QLatin1String("%3"), formatNumber(demo.shortStep, 0));
     text.replace(QLatin1String("%4"), formatNumber(demo.shortBy, 0));
