@@ -20,6 +20,12 @@ Message nobodyRenewed()
     return say("nobody renewed the motion lease");
 }
 
+/// A link that is gone is noticed by whatever is sent first: that is no refusal.
+SetPointStream::End endBy(const Error &error)
+{
+    return error.fault == Fault::LinkLost ? SetPointStream::End::LinkLost : SetPointStream::End::Refused;
+}
+
 } // namespace
 
 SetPointStream::SetPointStream(Device &device, Clock &clock)
@@ -164,7 +170,7 @@ void SetPointStream::guardChanged()
     for (auto &[axis, glide] : m_glides)
         glide.resume(m_clock.now()); // it was not on its way while it waited
     if (auto sent = sendAll(); !sent)
-        finish(End::Refused, sent.error().message());
+        finish(endBy(sent.error()), sent.error().message());
     else
         begin();
 }
@@ -181,7 +187,7 @@ Result<void> SetPointStream::follow(const SetPoint &setPoint)
 {
     auto followed = followOne(setPoint, {});
     if (!followed && m_running)
-        finish(End::Refused, followed.error().message());
+        finish(endBy(followed.error()), followed.error().message());
     return followed;
 }
 
@@ -193,7 +199,7 @@ Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &gl
     remember(glided(setPoint, glide));
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
-        finish(End::Refused, sent.error().message());
+        finish(endBy(sent.error()), sent.error().message());
         return sent;
     }
     if (waited != m_waiting)
@@ -261,7 +267,7 @@ void SetPointStream::tick()
     const bool glides = isGliding();
     advanceGlides();
     if (auto sent = sendAll(); !sent) {
-        finish(End::Refused, sent.error().message());
+        finish(endBy(sent.error()), sent.error().message());
         return;
     }
     scheduleNext(m_next);

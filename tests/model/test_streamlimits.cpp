@@ -45,10 +45,13 @@ public:
     TimedTargets frames; ///< of axis 1
     TimedTargets others;
     int stops = 0;
+    bool isCut = false; ///< its link has gone, and nobody has noticed yet
 
 private:
     Result<void> doCommand(const SetPoint &setPoint) override
     {
+        if (isCut)
+            return fail(Fault::LinkLost, say("can0 was switched off"));
         const double at = std::chrono::duration<double, std::milli>(clock().now() - m_begin).count();
         (setPoint.axis == 1 ? frames : others).emplace_back(at, setPoint.target);
         return {};
@@ -210,6 +213,24 @@ TEST_F(StreamLimits, AMotionThatIsRefusedWhileItRunsEndsInAStop)
         motor.gate().setBusy({});
         clock.advance(15s);
         EXPECT_EQ(stream.end(), End::Refused);
+    }
+}
+
+TEST_F(StreamLimits, ALinkThatIsFoundGoneByASetPointIsALostLinkNoRefusal)
+{
+    for (const bool update : {false, true}) {
+        motor.isCut = false;
+        ASSERT_TRUE(stream.start(setPointTo(0.3), 10s));
+        const int before = motor.stops;
+        motor.isCut = true;
+        if (update) {
+            EXPECT_FALSE(stream.update(setPointTo(0.4)));
+        } else {
+            clock.advance(20ms);
+        }
+        EXPECT_EQ(stream.end(), End::LinkLost);
+        EXPECT_EQ(stream.reason(), "can0 was switched off");
+        EXPECT_EQ(motor.stops, before + 1);
     }
 }
 
