@@ -110,13 +110,30 @@ TEST_F(UnixSpi, AResetReachesTheBoardAtOnceAndLeavesTheTransfersAfterItWhole)
     EXPECT_EQ(*after.result(), (Bytes{0xFE, 0xFD}));
 }
 
+/// A link that is open to a socket, of which nobody reads.
+struct UnreadLink {
+    explicit UnreadLink(const std::string &path)
+        : address(*LinkAddress::parse("unix:" + path))
+        , listening(listenOnUnixSocket(address.path).value_or(-1))
+    {
+        EXPECT_TRUE(link.open());
+    }
+    void fill()
+    {
+        while (link.outlet().aside(Bytes(50'000))) { } // until no more fits the socket
+        EXPECT_TRUE(link.pulseReset());
+    }
+
+    LinkAddress address;
+    Descriptor listening;
+    VirtualClock clock;
+    UnixSpiLink link{address, clock};
+};
+
 TEST_F(UnixSpi, ALinkWhoseAnswersItsGuardianHasReadIsLostAndWorksOnceItIsOpenAgain)
 {
-    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
-    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
-    VirtualClock clock;
-    UnixSpiLink held{quiet, clock};
-    ASSERT_TRUE(held.open());
+    UnreadLink unread(folder.path("quiet"));
+    auto &[quiet, listening, clock, held] = unread;
     const Descriptor first(::accept(listening.get(), nullptr, nullptr));
     Task<Bytes> asked = transferOn(held, {0x01, 0x02});
     asked.start();
@@ -177,11 +194,8 @@ TEST_F(UnixSpi, AResetIsSentAsideTooAndNoHalfMessage)
 
 TEST_F(UnixSpi, WhoWatchedTheReadyLineAsksNothingOfALinkThatIsClosed)
 {
-    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
-    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
-    VirtualClock clock;
-    UnixSpiLink watched{quiet, clock};
-    ASSERT_TRUE(watched.open());
+    UnreadLink unread(folder.path("quiet"));
+    auto &[quiet, listening, clock, watched] = unread;
     watched.watchReady(std::chrono::milliseconds(5));
     watched.close();
     clock.advance(std::chrono::milliseconds(10));
@@ -191,32 +205,22 @@ TEST_F(UnixSpi, WhoWatchedTheReadyLineAsksNothingOfALinkThatIsClosed)
 
 TEST_F(UnixSpi, ClosingWhatASimulatorLeftUnreadLeavesNothingThatWouldEndTheNextOpening)
 {
-    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
-    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
-    VirtualClock clock;
-    UnixSpiLink held{quiet, clock};
-    ASSERT_TRUE(held.open());
+    UnreadLink held(folder.path("quiet"));
     {
-        const Descriptor simulator(::accept(listening.get(), nullptr, nullptr));
-        while (held.outlet().aside(Bytes(50'000))) { } // until no more fits the socket
-        ASSERT_TRUE(held.pulseReset());
+        const Descriptor simulator(::accept(held.listening.get(), nullptr, nullptr));
+        held.fill();
     }
-    held.close();
-    EXPECT_EQ(clock.armed(), 0U);
+    held.link.close();
+    EXPECT_EQ(held.clock.armed(), 0U);
 }
 
 TEST_F(UnixSpi, ASimulatorThatIsSlowToReadIsNotGone)
 {
-    const LinkAddress quiet = *LinkAddress::parse("unix:" + folder.path("quiet"));
-    const Descriptor listening(listenOnUnixSocket(quiet.path).value_or(-1));
-    VirtualClock clock;
-    UnixSpiLink held{quiet, clock};
-    ASSERT_TRUE(held.open());
-    const Descriptor simulator(::accept(listening.get(), nullptr, nullptr));
-    while (held.outlet().aside(Bytes(50'000))) { } // until no more fits the socket
-    ASSERT_TRUE(held.pulseReset());
-    clock.advance(std::chrono::milliseconds(1));
-    EXPECT_EQ(held.state(), LinkState::Open);
+    UnreadLink held(folder.path("quiet"));
+    const Descriptor simulator(::accept(held.listening.get(), nullptr, nullptr));
+    held.fill();
+    held.clock.advance(std::chrono::milliseconds(1));
+    EXPECT_EQ(held.link.state(), LinkState::Open);
 }
 
 TEST(UnixSocket, WhatHasComeIsTakenAndOnlyItsEndIsAnEnd)
