@@ -131,6 +131,7 @@ void MainWindow::buildMenu()
 void MainWindow::buildDocks()
 {
     m_docks = new SideDocks(m_workbench, m_selection, m_theme, m_settings, *this);
+    m_pages->addBeforeTabs(*m_docks->makeButton(m_pages));
     const DeviceTree *const tree = &m_docks->devices();
     connect(tree, &DeviceTree::addLinkRequested, m_menu, &WindowMenu::addLink);
     connect(tree, &DeviceTree::simulateRequested, m_menu, &WindowMenu::openSimulation);

@@ -62,6 +62,11 @@ void PageStack::add(const QString &title, std::function<QWidget *(QWidget *)> ma
     m_tabs->addTab(title);
 }
 
+void PageStack::addBeforeTabs(QWidget &button)
+{
+    m_tabsRow->insertWidget(0, &button);
+}
+
 void PageStack::addBesideTabs(QWidget &button)
 {
     m_tabsRow->addWidget(&button);

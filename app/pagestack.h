@@ -31,6 +31,7 @@ public:
 
     /// In the order of PageId.
     void add(const QString &title, std::function<QWidget *(QWidget *)> make);
+    void addBeforeTabs(QWidget &button);
     void addBesideTabs(QWidget &button);
     /// Below what is said of the device; takes it.
     void addAbovePages(QWidget &strip);

@@ -3,11 +3,15 @@
 
 #include "transport/linkaddress.h"
 #include "widgets/common/guarded.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/inspector.h"
 
+#include <QApplication>
 #include <QDockWidget>
+#include <QEvent>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -20,6 +24,7 @@ namespace {
 
 constexpr int widestInspector = 248; ///< at first
 constexpr int roomyWidth = 1024;     ///< for devices, a page and the inspector beside each other
+constexpr int dockedFrom = 760;      ///< for devices and a page
 
 } // namespace
 
@@ -34,6 +39,20 @@ SideDocks::SideDocks(
 {
     buildDevices();
     buildInspector(selection, theme);
+    qApp->installEventFilter(this);
+}
+
+QWidget *SideDocks::makeButton(QWidget *parent)
+{
+    auto *button = new IconButton(m_theme, Symbol::ChevronRight, tr("Show devices"), parent);
+    button->setObjectName(QStringLiteral("showDevices"));
+    button->setKeyHint(QStringLiteral("F9"));
+    connect(button, &QToolButton::clicked, this, [this] { flip(*m_devices); });
+    const auto follow = [this, button] { button->setVisible(m_overlaid || m_devices->isHidden()); };
+    connect(m_devices, &QDockWidget::visibilityChanged, button, follow);
+    connect(this, &SideDocks::overlaidChanged, button, follow);
+    follow();
+    return button;
 }
 
 QDockWidget *SideDocks::addDock(const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
@@ -44,6 +63,9 @@ QDockWidget *SideDocks::addDock(const QString &name, const QString &title, QWidg
     dock->setWidget(content);
     content->setMinimumSize(1, 1); // on a small screen it is cut before the Arm button and STOP are
     dock->setFeatures(QDockWidget::DockWidgetClosable);
+    QWidget *edge = separatorLine(Qt::Vertical, dock);
+    edge->setObjectName(QStringLiteral("dockEdge"));
+    edge->hide();
     m_window.addDockWidget(area, dock);
     return dock;
 }
@@ -94,10 +116,62 @@ void SideDocks::buildInspector(Selection &selection, const ThemeSource &theme)
 
 void SideDocks::addTo(PageKeys &keys)
 {
-    const auto flip
-        = [this](QDockWidget *dock) { return [this, dock] { dock->setVisible(!dock->isVisible() && !m_away); }; };
-    keys.add({Qt::Key_F9}, tr("shows or hides the devices"), flip(m_devices));
-    keys.add({Qt::Key_F10}, tr("shows or hides the inspector"), flip(m_inspector));
+    keys.add({Qt::Key_F9}, tr("shows or hides the devices"), [this] { flip(*m_devices); });
+    keys.add({Qt::Key_F10}, tr("shows or hides the inspector"), [this] { flip(*m_inspector); });
+}
+
+void SideDocks::flip(QDockWidget &dock)
+{
+    dock.setVisible(!dock.isVisible() && !m_away);
+    if (!m_overlaid || !dock.isVisible())
+        return;
+    layOver();
+    dock.raise();
+    dock.widget()->setFocus(Qt::ShortcutFocusReason);
+}
+
+/// Over the page at its side, which keeps its width.
+void SideDocks::layOver()
+{
+    const QRect page = m_window.centralWidget()->geometry();
+    for (QDockWidget *dock : {m_devices, m_inspector}) {
+        const int width
+            = std::min(std::max(dock->widget()->sizeHint().width(), dock->minimumSizeHint().width()), page.width());
+        const int left = dock == m_devices ? page.left() : page.right() + 1 - width;
+        dock->setGeometry(left, page.top(), width, page.height());
+        auto *edge = dock->findChild<QWidget *>(QStringLiteral("dockEdge"), Qt::FindDirectChildrenOnly);
+        edge->setGeometry(dock == m_devices ? width - 1 : 0, 0, 1, page.height());
+        edge->raise();
+    }
+}
+
+void SideDocks::setOverlaid(bool overlaid)
+{
+    if (overlaid)
+        m_hadDevices = m_devices->isVisibleTo(&m_window);
+    m_overlaid = overlaid;
+    for (QDockWidget *dock : {m_devices, m_inspector}) {
+        dock->setAutoFillBackground(overlaid);
+        dock->findChild<QWidget *>(QStringLiteral("dockEdge"), Qt::FindDirectChildrenOnly)->setVisible(overlaid);
+        dock->hide();
+        if (overlaid)
+            m_window.removeDockWidget(dock);
+        else
+            m_window.addDockWidget(dock == m_devices ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, dock);
+    }
+    m_devices->setVisible(!overlaid && m_hadDevices);
+    Q_EMIT overlaidChanged();
+}
+
+/// Whoever works in the page has found what was looked for beside it.
+bool SideDocks::eventFilter(QObject *watched, QEvent *event)
+{
+    if (m_overlaid && event->type() == QEvent::MouseButtonPress && watched->isWidgetType()
+        && m_window.centralWidget()->isAncestorOf(static_cast<QWidget *>(watched))) {
+        m_devices->hide();
+        m_inspector->hide();
+    }
+    return false;
 }
 
 void SideDocks::putAway(bool away)
@@ -119,6 +193,10 @@ void SideDocks::follow(bool overview)
 {
     if (m_away)
         return;
+    if (const bool overlaid = m_window.width() < m_theme.theme().u(dockedFrom); overlaid != m_overlaid)
+        setOverlaid(overlaid);
+    if (m_overlaid)
+        layOver();
     const bool room = m_window.width() >= m_theme.theme().u(roomyWidth);
     if (room && m_room)
         m_width = m_devices->width();

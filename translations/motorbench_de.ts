@@ -9021,6 +9021,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>shows or hides the inspector</source>
         <translation>zeigt oder verbirgt den Inspektor</translation>
     </message>
+    <message>
+        <source>Show devices</source>
+        <translation>Geräte einblenden</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalBook</name>

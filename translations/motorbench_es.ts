@@ -9021,6 +9021,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>shows or hides the inspector</source>
         <translation>muestra u oculta el inspector</translation>
     </message>
+    <message>
+        <source>Show devices</source>
+        <translation>Mostrar dispositivos</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalBook</name>

@@ -9021,6 +9021,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>shows or hides the inspector</source>
         <translation>affiche ou masque l’inspecteur</translation>
     </message>
+    <message>
+        <source>Show devices</source>
+        <translation>Afficher les appareils</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalBook</name>

@@ -9009,6 +9009,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>shows or hides the inspector</source>
         <translation>インスペクタの表示/非表示を切り替えます</translation>
     </message>
+    <message>
+        <source>Show devices</source>
+        <translation>機器を表示</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalBook</name>

@@ -9009,6 +9009,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>shows or hides the inspector</source>
         <translation>显示或隐藏检查器</translation>
     </message>
+    <message>
+        <source>Show devices</source>
+        <translation>显示设备</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalBook</name>

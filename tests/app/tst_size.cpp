@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QScreen>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 using namespace mb;
 using namespace mb::test;
@@ -18,6 +19,7 @@ private Q_SLOTS:
     void lampAndStopAreWholeOnSmallScreens_data();
     void lampAndStopAreWholeOnSmallScreens();
     void theLeastWindowKeepsThemAndGivesTheDevicesBack();
+    void besideLargeTextTheDevicesComeOverThePage();
     void aWindowThatDoesNotFitWithItsFrameTakesTheScreen();
 };
 
@@ -113,6 +115,32 @@ void SizeTest::theLeastWindowKeepsThemAndGivesTheDevicesBack()
     window.resize(1280, 800);
     QCoreApplication::processEvents();
     QCOMPARE(tree.width(), before);
+}
+
+void SizeTest::besideLargeTextTheDevicesComeOverThePage()
+{
+    WindowBench bench(2.0);
+    MainWindow &window = bench.window();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    const auto &tree = bench.part<DeviceTree>();
+    const QWidget &pages = *window.centralWidget();
+    QVERIFY(!tree.isVisible());
+    QCOMPARE(pages.width(), window.width());
+    auto *show = window.findChild<QToolButton *>(QStringLiteral("showDevices"));
+    QVERIFY(show->isVisible());
+    for (const bool byKey : {true, false}) {
+        byKey ? QTest::keyClick(&window, Qt::Key_F9) : show->click();
+        QVERIFY(tree.isVisible());
+        QVERIFY(tree.isAncestorOf(QApplication::focusWidget()));
+        QCOMPARE(pages.width(), window.width());
+        QTest::mouseClick(window.page(PageId::Overview), Qt::LeftButton);
+        QVERIFY(!tree.isVisible());
+    }
+    window.resize(2560, 1600);
+    QCoreApplication::processEvents();
+    QVERIFY(tree.isVisible());
+    QVERIFY(pages.width() < window.width());
+    QVERIFY(!show->isVisible());
 }
 
 void SizeTest::aWindowThatDoesNotFitWithItsFrameTakesTheScreen()

@@ -114,6 +114,7 @@ void DeviceTree::buildTree(QVBoxLayout &column)
         tr("Devices appear here by themselves as soon as a link answers."), this);
     column.addWidget(m_empty);
     m_view = new LinkTreeView(m_theme, this);
+    setFocusProxy(m_view);
     m_view->setObjectName(QStringLiteral("deviceTree"));
     m_view->setAccessibleName(tr("Links and devices"));
     m_view->setModel(m_model);

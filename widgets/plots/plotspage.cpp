@@ -31,7 +31,7 @@ constexpr std::chrono::milliseconds repaintTime{16};
 constexpr double idleScroll = 0.25;   ///< silent devices scroll away this often
 constexpr double analyseEvery = 0.5;  ///< seconds
 constexpr int wideWidth = 1250;       ///< for the numbers of the recording
-constexpr int tracesBesideFrom = 600; ///< units, for the lists of traces
+constexpr int tracesBesideFrom = 680; ///< units, for the lists of traces
 constexpr double narrowestWindow = 0.01;
 /// Samples per second to wish for, so that zooming does not change them all the time.
 constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
