@@ -126,8 +126,8 @@ void Conditions::followUpdates()
             tr("Firmware is being written to %1").arg(placeOf(shot, update)),
             status.total == 0 ? messageText(status.step)
                 : status.mayInterrupt
-                ? tr("%1 of %2. Safe to unplug: the update can be run again.").arg(status.done).arg(status.total)
-                : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
+                ? tr("Safe to unplug: the update can be run again. %1 of %2.").arg(status.done).arg(status.total)
+                : tr("Do not unplug. %1 of %2.").arg(status.done).arg(status.total));
     }
 }
 

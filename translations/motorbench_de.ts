@@ -2829,8 +2829,8 @@
         <translation>In %1 wird Firmware geschrieben</translation>
     </message>
     <message>
-        <source>%1 of %2. It must not be cut now.</source>
-        <translation>%1 von %2. Jetzt nicht unterbrechen.</translation>
+        <source>Do not unplug. %1 of %2.</source>
+        <translation>Nicht trennen. %1 von %2.</translation>
     </message>
     <message>
         <source>%1 may still turn: cut its power</source>
@@ -2869,8 +2869,8 @@
         <translation>Nichts zeigt, dass es noch hat, was nicht gespeichert war. Dieses Programm weiß, was zuletzt geschrieben wurde.</translation>
     </message>
     <message>
-        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
-        <translation>%1 von %2. Trennen erlaubt: die Aktualisierung lässt sich wiederholen.</translation>
+        <source>Safe to unplug: the update can be run again. %1 of %2.</source>
+        <translation>Trennen erlaubt: die Aktualisierung lässt sich wiederholen. %1 von %2.</translation>
     </message>
     <message>
         <source>Keep what it has</source>

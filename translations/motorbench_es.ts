@@ -2809,8 +2809,8 @@
         <translation>Se está escribiendo firmware en %1</translation>
     </message>
     <message>
-        <source>%1 of %2. It must not be cut now.</source>
-        <translation>%1 de %2. Ahora no debe interrumpirse.</translation>
+        <source>Do not unplug. %1 of %2.</source>
+        <translation>No desconectar. %1 de %2.</translation>
     </message>
     <message>
         <source>Writing the settings of %1 again: %2 of %3</source>
@@ -2869,8 +2869,8 @@
         <translation>Nada muestra que aún tenga lo que no se guardó. Este programa sabe lo último que se escribió.</translation>
     </message>
     <message>
-        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
-        <translation>%1 de %2. Se puede desconectar: la actualización puede repetirse.</translation>
+        <source>Safe to unplug: the update can be run again. %1 of %2.</source>
+        <translation>Se puede desconectar: la actualización puede repetirse. %1 de %2.</translation>
     </message>
     <message>
         <source>Keep what it has</source>

@@ -2809,8 +2809,8 @@
         <translation>Écriture du firmware dans %1</translation>
     </message>
     <message>
-        <source>%1 of %2. It must not be cut now.</source>
-        <translation>%1 sur %2. Ne pas interrompre maintenant.</translation>
+        <source>Do not unplug. %1 of %2.</source>
+        <translation>Ne pas débrancher. %1 sur %2.</translation>
     </message>
     <message>
         <source>Writing the settings of %1 again: %2 of %3</source>
@@ -2869,8 +2869,8 @@
         <translation>Rien ne montre qu’il a encore ce qui n’était pas mémorisé. Ce programme sait ce qui a été écrit en dernier.</translation>
     </message>
     <message>
-        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
-        <translation>%1 sur %2. Débranchement autorisé : la mise à jour peut être relancée.</translation>
+        <source>Safe to unplug: the update can be run again. %1 of %2.</source>
+        <translation>Débranchement autorisé : la mise à jour peut être relancée. %1 sur %2.</translation>
     </message>
     <message>
         <source>Keep what it has</source>

@@ -2807,8 +2807,8 @@
         <translation>%1 にファームウェアを書込み中</translation>
     </message>
     <message>
-        <source>%1 of %2. It must not be cut now.</source>
-        <translation>%1/%2。今は中断しないでください。</translation>
+        <source>Do not unplug. %1 of %2.</source>
+        <translation>取り外さないでください。%1/%2。</translation>
     </message>
     <message>
         <source>Writing the settings of %1 again: %2 of %3</source>
@@ -2867,8 +2867,8 @@
         <translation>保存していなかった値がまだ残っているかどうかは分かりません。最後に書き込んだ値は、このプログラムが知っています。</translation>
     </message>
     <message>
-        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
-        <translation>%1/%2。取り外し可：更新はやり直せます。</translation>
+        <source>Safe to unplug: the update can be run again. %1 of %2.</source>
+        <translation>取り外し可：更新はやり直せます。%1/%2。</translation>
     </message>
     <message>
         <source>Keep what it has</source>

@@ -2807,8 +2807,8 @@
         <translation>正在向 %1 写入固件</translation>
     </message>
     <message>
-        <source>%1 of %2. It must not be cut now.</source>
-        <translation>%1 / %2。此时不得中断。</translation>
+        <source>Do not unplug. %1 of %2.</source>
+        <translation>请勿拔出。%1 / %2。</translation>
     </message>
     <message>
         <source>Writing the settings of %1 again: %2 of %3</source>
@@ -2867,8 +2867,8 @@
         <translation>无法确认未保存的值是否仍在。本程序知道最后写入的值。</translation>
     </message>
     <message>
-        <source>%1 of %2. Safe to unplug: the update can be run again.</source>
-        <translation>%1 / %2。可以拔出：更新可以重新进行。</translation>
+        <source>Safe to unplug: the update can be run again. %1 of %2.</source>
+        <translation>可以拔出：更新可以重新进行。%1 / %2。</translation>
     </message>
     <message>
         <source>Keep what it has</source>

@@ -95,9 +95,9 @@ void ConditionsTest::anUpdateThatMayBeCutIsNotSaidToNeedItsPower()
     Notices notices;
     notices.write(true);
     QCOMPARE(notices.standing().accessibleDescription(),
-        QStringLiteral("15 of 31. Safe to unplug: the update can be run again."));
+        QStringLiteral("Safe to unplug: the update can be run again. 15 of 31."));
     notices.write(false);
-    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("15 of 31. It must not be cut now."));
+    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("Do not unplug. 15 of 31."));
 }
 
 void ConditionsTest::whatAQueueWritesIsSaidLikeAnUpdate()
@@ -113,7 +113,7 @@ void ConditionsTest::whatAQueueWritesIsSaidLikeAnUpdate()
     notices.workbench.serve({row});
     notices.follow();
     QVERIFY(notices.standing().cause().startsWith(QStringLiteral("Firmware is being written to DMC60C #5")));
-    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("15 of 31. It must not be cut now."));
+    QCOMPARE(notices.standing().accessibleDescription(), QStringLiteral("Do not unplug. 15 of 31."));
     row.visit.step = service::Step::Proof;
     notices.workbench.serve({row});
     notices.follow();

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void pagesOfAnotherUnitAreNoStepsOfThisOne();
     void pagesOfAnImageThatIsNotWrittenAreNotGreen();
     void whenNothingIsWrittenNothingIsSaidOfACut();
+    void inANarrowWindowWhatMayBeCutStandsBelowTheBar();
     void aSecondUpdateOnTheBusIsRefusedWithWords();
     void anotherBusMayBeUpdatedMeanwhile();
     void theButtonOfAnotherBusIsFreeMeanwhile();
@@ -220,9 +221,28 @@ void FirmwareTest::whenNothingIsWrittenNothingIsSaidOfACut()
     bench.writing();
     QVERIFY(bench.says(cut));
     bench.workbench.shot.operations.front().status.state = OperationStatus::State::Done;
+    bench.workbench.shot.operations.front().update = UpdateReport{};
     bench.workbench.publish();
-    QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
+    QVERIFY(bench.says(QStringLiteral("Safe to unplug: DMC60C #5 on sim:can"))); // as on the other pages that write
     QVERIFY(!bench.says(cut));
+}
+
+void FirmwareTest::inANarrowWindowWhatMayBeCutStandsBelowTheBar()
+{
+    FirmwareBench bench;
+    bench.writing(false);
+    bench.page->resize(600, 800);
+    QCoreApplication::processEvents();
+    std::map<int, QString> down; // what is read from the top to the bottom
+    for (const QLabel *label : bench.page->findChildren<QLabel *>())
+        down[label->isVisible() ? label->mapTo(bench.page.get(), QPoint()).y() : -1] += label->text();
+    QString all;
+    for (const auto &[y, text] : down)
+        all += y < 0 ? QString() : text;
+    QVERIFY2(
+        all.indexOf(QStringLiteral("Do not unplug")) > all.indexOf(QStringLiteral("4 of 31 written")), qPrintable(all));
+    QVERIFY2(
+        all.indexOf(QStringLiteral("Do not unplug")) < all.indexOf(QStringLiteral("motor stopped")), qPrintable(all));
 }
 
 void FirmwareTest::aSecondUpdateOnTheBusIsRefusedWithWords()
@@ -266,10 +286,12 @@ void FirmwareTest::aUnitThatHasTheVersionOfTheImageIsNotSaidToChange()
 {
     FirmwareBench bench;
     QVERIFY(bench.says(QStringLiteral(" → 1.25")));
+    QVERIFY(bench.start()->property("primary").toBool());
     bench.workbench.shot.devices.front().identity.edit().firmware = "1.25";
     bench.workbench.publish();
     QVERIFY(!bench.says(QStringLiteral(" → 1.25")));
     QVERIFY(bench.says(QStringLiteral("1.25, as in the image")));
+    QVERIFY(!bench.start()->property("primary").toBool()); // nothing calls for it
 }
 
 void FirmwareTest::theCriticalPageIsOutlinedUntilItIsWritten()

@@ -188,6 +188,7 @@ void BannerStack::setTwoLines(bool on)
     m_twoLines = on;
     for (const Entry &entry : m_entries)
         entry.banner->setTwoLines(on);
+    m_more->setVisible(count() > 1 && !on); // there the words need the room, and the header counts them
     setFixedHeight(Banner::heightOf(m_theme.theme(), on));
 }
 
@@ -251,7 +252,7 @@ void BannerStack::arrange()
         entry.banner->setVisible(first);
         standing += entry.dismissed ? 0 : 1;
     }
-    m_more->setVisible(standing > 1);
+    m_more->setVisible(standing > 1 && !m_twoLines);
     m_more->setText(standing == 2 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - 1));
     m_more->setAccessibleName(m_more->text());
     Q_EMIT countChanged(standing);

@@ -57,7 +57,8 @@ void QueueBar::buildProgress()
     auto *box = new QVBoxLayout;
     box->setSpacing(m_theme.theme().u(2));
     auto *words = new QHBoxLayout;
-    m_headline = new ElidedLabel({}, this);
+    m_headline = textLabel({}, TextRole::Body, Tone::Text, this);
+    m_headline->setWordWrap(true); // it may be a cause
     setTextRole(*m_headline, TextRole::Emphasis);
     m_headline->setAccessibleName(tr("State of the queue"));
     m_left = textLabel({}, TextRole::Body, Tone::Dim, this);
@@ -119,6 +120,7 @@ void QueueBar::follow(const ServiceView &view, const QueueTotals &totals, const 
             ? tr("about %1 s left").arg(static_cast<int>(std::ceil(*totals.secondsLeft)))
             : QString());
     m_share->setValue(static_cast<int>(totals.share * shareSteps));
+    setTone(*m_share, totals.units > 0 && totals.passed == totals.units ? Tone::Ok : Tone::Text);
     m_counts->setText(countsOf(totals));
     m_pause->setRole(view.pausing ? tr("Go on") : tr("Pause after this unit"));
     m_pause->setSymbol(view.pausing ? Symbol::Play : Symbol::Pause);

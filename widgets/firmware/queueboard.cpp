@@ -84,6 +84,7 @@ void QueueBoard::placeOrders(bool first)
         return;
     column->removeWidget(m_orders);
     column->insertWidget(first ? 0 : column->indexOf(m_banner) + 1, m_orders);
+    m_side->placeSafety(first ? static_cast<QVBoxLayout *>(m_orders->layout()) : nullptr);
 }
 
 void QueueBoard::buildBody()

@@ -57,7 +57,9 @@ void QueueSide::showUnit(const service::QueueRow *row, const QueueLine *line, co
         : waits                    ? Safety::WaitsToTurn
                                    : Safety::Turns;
     const QString link = line && !line->link.isEmpty() ? QStringLiteral(" · ") + line->link : QString();
-    showSafety(safety, title + link, recipe.family() ? updateWords(*recipe.family()) : UpdateWords());
+    const bool ended = row && (row->state == RowState::Passed || row->state == RowState::Failed);
+    showSafety(safety, running || ended ? title + link : QString(),
+        recipe.family() ? updateWords(*recipe.family()) : UpdateWords());
 }
 
 /// The steps by hand, where the recipe names a way in that needs them.

@@ -23,6 +23,7 @@ constexpr int edges = 22; ///< units around a text
 constexpr int boxAndShape = 48;
 constexpr int bar = 34;
 constexpr int leastStep = 60;
+constexpr int leastRows = 26 + 3 * 30; ///< its head and three units
 
 /// Whatever it says, its row stays as high; of a serial number or an address the end tells more than the middle.
 class OneLine : public QStyledItemDelegate {
@@ -68,6 +69,7 @@ void QueueTable::buildView(const ThemeSource &source)
 {
     const Theme &theme = source.theme();
     m_view->setAccessibleName(tr("Units of the queue"));
+    m_view->setMinimumHeight(theme.u(leastRows));
     m_view->setModel(m_model);
     m_view->setItemDelegate(new OneLine(m_view));
     m_view->setItemDelegateForColumn(QueueModel::Outcome, new QStyledItemDelegate(m_view)); // a cause is read whole

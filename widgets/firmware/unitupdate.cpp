@@ -23,7 +23,7 @@
 namespace mb {
 namespace {
 
-constexpr int updateBesideFrom = 640; ///< units
+constexpr int updateBesideFrom = 660; ///< units
 constexpr int leastDetail = 120;
 constexpr int leastProgress = 220;
 
@@ -138,23 +138,23 @@ void UnitUpdate::buildProgress(QVBoxLayout &column)
     const Theme &theme = m_theme.theme();
     auto *orders = new QWidget(this);
     auto *part = layoutIn<QVBoxLayout>(orders, 0);
+    m_step = textLabel({}, TextRole::Body, Tone::Text, orders);
+    m_step->setAccessibleName(tr("Step"));
+    m_step->setWordWrap(true); // it may be a cause
+    m_step->setContentsMargins(theme.u(16), theme.u(8), theme.u(16), 0);
+    part->addWidget(m_step);
     auto *row = new WrapLayout;
-    row->setContentsMargins(theme.u(16), theme.u(10), theme.u(16), theme.u(10));
+    row->setContentsMargins(theme.u(16), theme.u(4), theme.u(16), theme.u(10));
     row->setSpacing(theme.u(12));
     auto *box = new QWidget(orders);
     box->setMinimumWidth(theme.u(leastProgress));
     auto *lines = layoutIn<QVBoxLayout>(box);
-    auto *words = new QHBoxLayout;
-    m_step = new ElidedLabel({}, box);
-    m_step->setAccessibleName(tr("Step"));
     m_rate = textLabel({}, TextRole::Body, Tone::Dim, box);
-    words->addWidget(m_step, 1);
-    words->addWidget(m_rate);
     m_progress = new QProgressBar(box);
     m_progress->setAccessibleName(tr("Progress of the update"));
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(theme.u(8));
-    lines->addLayout(words);
+    lines->addWidget(m_rate);
     lines->addWidget(m_progress);
     row->setStretched(box);
     row->addWidget(box);
@@ -184,6 +184,7 @@ void UnitUpdate::resizeEvent(QResizeEvent *event)
         return;
     column->removeWidget(orders);
     column->insertWidget(first ? 0 : column->indexOf(m_checks) + 1, orders);
+    m_side->placeSafety(first ? static_cast<QVBoxLayout *>(orders->layout()) : nullptr);
 }
 
 void UnitUpdate::buildBody(QVBoxLayout &column)
@@ -322,9 +323,11 @@ void UnitUpdate::followDevice(const DeviceView *device)
         return m_versions->clear();
     const QString now
         = device->identity->firmware.empty() ? tr("none") : QString::fromStdString(device->identity->firmware);
+    const bool asInImage = m_image.summary() && m_image.version() == now;
     m_versions->setText(!m_image.summary() ? now
-            : m_image.version() == now     ? tr("%1, as in the image").arg(now)
+            : asInImage                    ? tr("%1, as in the image").arg(now)
                                            : tr("%1 → %2").arg(now, m_image.version()));
+    m_start->setPrimary(!asInImage); // what is done needs no hand
 }
 
 void UnitUpdate::followChecks(const DeviceView *device)
@@ -378,6 +381,7 @@ void UnitUpdate::followProgress(const OperationView *operation)
         m_rate->clear();
         m_progress->setRange(0, 1);
         m_progress->setValue(0);
+        setTone(*m_progress, Tone::Text);
         setTone(*m_step, Tone::Dim);
         return;
     }
@@ -396,6 +400,7 @@ void UnitUpdate::followProgress(const OperationView *operation)
         + (waiting ? messageText(status.step)
                    : tr("%1, %2 of %3 written").arg(messageText(status.step)).arg(status.done).arg(status.total)));
     m_rate->setText(isOfQueue(*operation) ? QString() : remaining(status));
+    setTone(*m_progress, Tone::Text);
     setTone(*m_step, Tone::Text);
 }
 
@@ -410,6 +415,7 @@ void UnitUpdate::showEnd(const OperationView &operation)
     const auto [text, tone] = endingOf(report, wordsFor(&operation), touched);
     m_step->setText(text);
     setTone(*m_step, tone);
+    setTone(*m_progress, tone);
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     if (report.outcome == UpdateOutcome::Done)
         m_progress->setValue(m_progress->maximum());
@@ -436,7 +442,9 @@ void UnitUpdate::followSafety(const OperationView *operation)
     const Safety safety = !running       ? Safety::Nothing
         : operation->status.mayInterrupt ? Safety::MayCut
                                          : Safety::MustNotCut;
-    m_side->showSafety(safety, running ? placeOf(m_workbench.snapshot(), *operation) : QString(), wordsFor(operation));
+    const DeviceView *const unit = operation ? m_workbench.snapshot().device(operation->device) : nullptr;
+    const bool told = running || (unit && !unit->liveness.moving);
+    m_side->showSafety(safety, told ? placeOf(m_workbench.snapshot(), *operation) : QString(), wordsFor(operation));
 }
 
 void UnitUpdate::askImage()

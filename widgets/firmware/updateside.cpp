@@ -70,17 +70,22 @@ void UpdateSide::showSafety(Safety safety, const QString &place, const UpdateWor
         critical    ? QStringLiteral("danger")
             : turns ? QStringLiteral("caution")
                     : QStringLiteral("ok"));
-    QString title = critical || turns ? tr("Do not unplug")
-        : safety == Safety::MayCut    ? tr("Safe to unplug")
-                                      : tr("Nothing is written now");
-    if (safety != Safety::Nothing)
-        title += QStringLiteral(": ") + place;
-    m_title->setText(title);
+    const QString word = critical || turns ? tr("Do not unplug") : tr("Safe to unplug");
+    m_title->setText(safety == Safety::Nothing && place.isEmpty() ? tr("Nothing is written now")
+                                                                  : word + QStringLiteral(": ") + place);
     setTone(*m_title, critical ? Tone::Danger : turns ? Tone::Caution : Tone::Ok);
     m_text->setVisible(safety != Safety::Nothing);
     m_text->setText(safety == Safety::WaitsToTurn ? tr("The motor turns as soon as Arm in the header is held.")
             : turns                               ? tr("The self-test turns the motor.")
                     : tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
+}
+
+void UpdateSide::placeSafety(QVBoxLayout *column)
+{
+    if (column)
+        column->addWidget(m_safety);
+    else
+        static_cast<QVBoxLayout *>(widget()->layout())->insertWidget(0, m_safety);
 }
 
 void UpdateSide::setNotes(const QString &notes)

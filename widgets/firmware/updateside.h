@@ -24,8 +24,10 @@ public:
 
     UpdateSide(const ThemeSource &theme, QWidget *parent);
 
-    /// `place`: which unit it is about.
+    /// `place`: which unit it is about; of Nothing, whose writing has ended.
     void showSafety(Safety safety, const QString &place, const UpdateWords &words);
+    /// Whether power may be cut comes last in `column`, where little is in sight at once; nullptr: above what is beside.
+    void placeSafety(QVBoxLayout *column);
     /// The steps of hands in the place of the pages.
     void setGuided(bool guided) { m_pages->setVisible(!guided); }
     void setNotes(const QString &notes);
