@@ -5,6 +5,7 @@
 #include "widgets/common/applytheme.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/envelopepanel.h"
+#include "widgets/control/tuneframe.h"
 #include "widgets/control/tunesteps.h"
 
 #include <QFileDialog>
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void theSmallestWindowShowsTheCurrentAndKeepsTheResponseLarge();
     void aTrialThatIsForgottenIsNotLookedAtAnyMore();
     void theReportHasOnlyTrialsThatAreKept();
+    void withoutAHeadThePlotSaysItselfWhatItsLinesAre();
     void twoThatWereHeldForOtherTimesAreDrawnWithoutTheirReturns();
 };
 
@@ -155,6 +157,27 @@ void TestTrialSight::aTrialThatIsForgottenIsNotLookedAtAnyMore()
     trials.reload();
     QTRY_VERIFY(!trials.a() && !trials.b());
     QCOMPARE(bench.metric(0, 2), QString(UnknownMark));
+}
+
+void TestTrialSight::withoutAHeadThePlotSaysItselfWhatItsLinesAre()
+{
+    TrialBench bench;
+    const auto names = [&bench] {
+        QStringList all;
+        for (const HeadEntry &entry : bench.page->trials().plot().stack().strips().at(0).decor.entries)
+            all += entry.name;
+        return all;
+    };
+    bench.choose(60'000.0);
+    bench.arm();
+    for (const double damping : {0.5, 0.7}) {
+        bench.page->run();
+        bench.finish(damping);
+    }
+    QVERIFY(names().isEmpty());   // they stand above
+    bench.page->resize(640, 320); // one part at a time
+    QVERIFY(bench.page->frame().isCompact());
+    QCOMPARE(names(), (QStringList{s("A #1"), s("B #2"), s("set-point")}));
 }
 
 void TestTrialSight::theReportHasOnlyTrialsThatAreKept()

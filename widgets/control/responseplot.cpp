@@ -102,11 +102,16 @@ ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
     m_stack->view().setLive(false);
     m_stack->readings().setCursorValues(true);
     column->addWidget(m_stack);
-    m_stack->exporter().setDressing([this](bool dressed) { setHead(dressed); });
+    m_stack->exporter().setDressing([this](bool dressed) { showHead(dressed || m_hasHead); });
 }
 
-/// The first strip has a legend of its own in pictures only.
 void ResponsePlot::setHead(bool shown)
+{
+    m_hasHead = shown;
+    showHead(shown);
+}
+
+void ResponsePlot::showHead(bool shown)
 {
     if (m_stack->strips().all().empty())
         return;
@@ -148,7 +153,7 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
         ++strip;
     }
     for (int i = 0; i < strip; ++i)
-        m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, false});
+        m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0 && m_hasHead});
     fitStrips();
     const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
     if (trial.mode != Mode::Duty)

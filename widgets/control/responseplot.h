@@ -25,6 +25,8 @@ public:
 
     /// nullptr: none. With their signals. `family` tells quantities and units of the channels.
     void setTrials(const Family *family, const KeptTrial *a, const KeptTrial *b, const DisplayUnits &units);
+    /// What the lines are stands in the plot, too; else in pictures of it only.
+    void setHead(bool shown);
     /// What a screen reader says of it.
     [[nodiscard]] QString summary() const;
     [[nodiscard]] PlotStack &stack() { return *m_stack; }
@@ -52,13 +54,14 @@ private:
 
     void addLine(const TraceStyle &style, std::vector<PlotPoint> points);
     void fitStrips();
-    void setHead(bool shown);
+    void showHead(bool shown);
     [[nodiscard]] static QString footNoteOf(const tuning::Trial &trial);
     /// Strips that are not flat: the measured value, duty, current.
     [[nodiscard]] int strips() const;
 
     const ThemeSource &m_theme;
     int m_drawnStrips = 3;
+    bool m_hasHead = false;
     PlotStack *m_stack = nullptr;
     double m_length = 0.0;          ///< s, of the longest response
     bool m_isWithoutReturn = false; ///< each is drawn as long as it was held

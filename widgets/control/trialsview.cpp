@@ -123,6 +123,7 @@ void TrialsView::showParts(bool beside)
     const bool all = m_shown == Shown::All;
     const bool list = m_shown == Shown::Trials || m_shown == Shown::Metrics;
     m_head->setVisible(all);
+    m_plot->setHead(!all); // where the head above has no room
     m_plot->setVisible(!list);
     m_side->setVisible(all && beside);
     m_footLine->setVisible(all);
