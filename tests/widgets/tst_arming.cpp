@@ -22,7 +22,7 @@ private Q_SLOTS:
     void aMotorThatMayStillTurnIsNamedUntilItIsSeen();
     void aMotorThatMayStillTurnKeepsEverythingFromBeingArmed();
     void aStopOwedToADeviceThatIsGoneIsNamedToo();
-    void theLampNamesWhomStopLeavesOut();
+    void theLampNamesWhomStopLeavesOutForAMomentAndTheLogSaysWhy();
     void noHandReachesIntoARunningExperiment();
     void aUnitIsArmedAgainOnceItsExperimentHasEnded();
     void anExperimentThatEndsIsNoEndOfWhatAnotherUnitDoes();
@@ -126,12 +126,14 @@ void TestArming::aStopOwedToADeviceThatIsGoneIsNamedToo()
     QCOMPARE(lamp().detail, QStringLiteral("abstractdc:3 on the adapter before: cut its power"));
 }
 
-void TestArming::theLampNamesWhomStopLeavesOut()
+void TestArming::theLampNamesWhomStopLeavesOutForAMomentAndTheLogSaysWhy()
 {
     m_bench->device().mayNotBeStopped = say("bootloader");
     m_bench->arming.stopAll(QStringLiteral("Esc"));
     QCOMPARE(lamp().detail, QStringLiteral("not sent to #5"));
-    QVERIFY(m_bench->workbench.lines.back().text.contains(QStringLiteral("not sent to #5")));
+    QVERIFY(m_bench->workbench.lines.back().text.contains(QStringLiteral("not sent to #5 (bootloader)")));
+    m_bench->workbench.time += std::chrono::seconds(8);
+    QCOMPARE(lamp().detail, QString()); // which gives the instruction to re-arm
 }
 
 void TestArming::noHandReachesIntoARunningExperiment()

@@ -231,7 +231,8 @@ void LampTest::theLampKeepsItsWidth()
     const int width = m_lamp->sizeHint().width();
     const LampStatus others[]
         = {{LampState::Safe, {}, {}, false}, {LampState::Moving, QStringLiteral("4 motors"), {}, true},
-            {LampState::Armed, QStringLiteral("#5 velocity"), 272s, true}};
+            {LampState::Armed, QStringLiteral("#5 velocity"), 272s, true},
+            {LampState::Stopped, QStringLiteral("not sent to #9, #11, #12, #13"), {}, true}};
     for (const LampStatus &status : others) {
         m_lamp->setStatus(status);
         QCOMPARE(m_lamp->sizeHint().width(), width);

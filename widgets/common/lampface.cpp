@@ -76,7 +76,7 @@ QSize LampFace::preferred() const
 {
     const int usual = std::max({textWidth(tr("ARMED"), QStringLiteral("8:88"), tr("#88 velocity")),
         textWidth(tr("STOPPED"), {}, tr("hold to re-arm")), textWidth(tr("SAFE"), {}, tr("nothing to arm"))});
-    return {std::max({m_theme.u(200), usual, contentWidth()}), m_theme.u(40)};
+    return {std::max(m_theme.u(200), usual), m_theme.u(40)};
 }
 
 QSize LampFace::least() const

@@ -46,7 +46,7 @@ public:
     /// What of the time remains; empty but while armed.
     [[nodiscard]] QString clock() const;
     [[nodiscard]] QString detail() const;
-    /// Wide enough for the usual texts of every state, so that the Arm button keeps its place when the state changes.
+    /// Wide enough for the usual texts of every state, in one line; whatever it says, the Arm button keeps its place.
     [[nodiscard]] QSize preferred() const;
     /// For the word above, the detail below.
     [[nodiscard]] QSize least() const;

@@ -27,6 +27,7 @@ namespace {
 
 constexpr Duration startTime = std::chrono::seconds(1);
 constexpr std::chrono::minutes armedTime{5}; // without motion
+constexpr std::chrono::seconds namedTime{8}; // as a line in the status bar
 
 /// How long the computer has slept by now.
 Duration sleptOf(Workbench &workbench)
@@ -161,7 +162,7 @@ LampStatus Arming::statusOf(const DeviceView *view) const
             = addressIn(shot, m_device) + QLatin1Char(' ') + whatMoves(shot.device(m_device), m_setPoint.mode);
         break;
     case LampState::Stopped:
-        if (!m_leftOut.isEmpty())
+        if (!m_leftOut.isEmpty() && m_workbench.now() - m_stoppedAt < namedTime)
             status.detail = tr("not sent to %1").arg(m_leftOut);
         else if (!status.armable)
             status.detail
@@ -334,12 +335,14 @@ void Arming::stop(StopCause cause, const QString &reason)
 {
     m_workbench.stopAll(cause); // first, before anything that could take time
     const bool live = m_state == LampState::Armed || m_state == LampState::Moving;
-    m_leftOut = cause == StopCause::User ? namesLeftOut(m_workbench.snapshot()) : QString();
+    const Snapshot &shot = m_workbench.snapshot();
+    m_leftOut = cause == StopCause::User ? namesLeftOut(shot) : QString();
+    m_stoppedAt = m_workbench.now();
     // Where nothing moves the key had another purpose, such as to close a dialog.
-    const bool idle = !live && !isAnyMoving(m_workbench.snapshot());
+    const bool idle = !live && !isAnyMoving(shot);
     m_workbench.report(idle ? Severity::Info : Severity::Caution, {},
         idle || m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason)
-                                    : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
+                                    : tr("STOP: %1; not sent to %2").arg(reason, namesLeftOut(shot, true)));
     Q_EMIT stopSent();
     if (!live)
         return;

@@ -88,6 +88,7 @@ private:
     SetPoint m_setPoint;
     QString m_reason;
     QString m_leftOut; ///< of the last STOP
+    Instant m_stoppedAt{};
     bool m_byHand = false;
     std::optional<DeviceId> m_trialOf; ///< whose experiment was begun last and has not ended
     std::uint64_t m_armingNumber = 0;

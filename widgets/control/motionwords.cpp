@@ -77,12 +77,13 @@ QStringList namesOwed(const Snapshot &shot)
     return names;
 }
 
-QString namesLeftOut(const Snapshot &shot)
+QString namesLeftOut(const Snapshot &shot, bool why)
 {
     QStringList names;
     for (const DeviceView &device : shot.devices) {
         if (!device.mayNotBeStopped.empty())
-            names += addressIn(shot, device.id);
+            names += addressIn(shot, device.id)
+                + (why ? QStringLiteral(" (%1)").arg(messageText(device.mayNotBeStopped)) : QString());
     }
     return names.join(QStringLiteral(", "));
 }

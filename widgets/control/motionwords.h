@@ -23,8 +23,8 @@ namespace mb {
 [[nodiscard]] QString namesThatMayTurn(const Snapshot &shot);
 /// Of them, those that are in no list any more.
 [[nodiscard]] QStringList namesOwed(const Snapshot &shot);
-/// Whom STOP leaves out, because it could do harm there: "#3, #5".
-[[nodiscard]] QString namesLeftOut(const Snapshot &shot);
+/// Whom STOP leaves out, because it could do harm there: "#3, #5", or with the reasons "#3 (bootloader), …".
+[[nodiscard]] QString namesLeftOut(const Snapshot &shot, bool why = false);
 /// A STOP is under way to something that moves.
 [[nodiscard]] bool isStopping(const Snapshot &shot);
 
