@@ -88,7 +88,22 @@ private Q_SLOTS:
     void aLinkShowsItsLoadOfTheLastMinute();
     void theLoadIsFollowedWhileAnotherPageIsShown();
     void aLoadThatWasNotMeasuredYetIsADash();
+    void theCardOfWhatIsSelectedComesIntoSight();
 };
+
+void OverviewTest::theCardOfWhatIsSelectedComesIntoSight()
+{
+    OverviewBench bench(760);
+    for (std::uint32_t id = 1; id <= 20; ++id)
+        bench.add("dmc60c", id);
+    bench.workbench.publish();
+    for (const std::uint32_t id : {20U, 1U}) {
+        bench.selection.select({id});
+        QCoreApplication::processEvents();
+        const DeviceCard *card = bench.cards().at(id - 1);
+        QCOMPARE(card->visibleRegion().boundingRect(), card->rect());
+    }
+}
 
 void OverviewTest::cardsAreWholeInTheFirstPicture()
 {

@@ -70,7 +70,7 @@ void DeviceCard::buildLive()
     column->addLayout(captions);
     m_sparkline = new Sparkline(m_theme, TraceRole::Velocity, m_live);
     m_sparkline->setCapacity(recentPoints);
-    m_sparkline->setMinimumHeight(theme.u(76));
+    m_sparkline->setMinimumHeight(theme.u(36));
     column->addWidget(m_sparkline, 1);
     body().addWidget(m_live, 1);
 }

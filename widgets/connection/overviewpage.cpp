@@ -28,7 +28,7 @@ namespace {
 
 constexpr int mostColumns = 6;
 constexpr int leastLinkCard = 220; ///< units
-constexpr int leastDeviceCard = 280;
+constexpr int leastDeviceCard = 240;
 
 } // namespace
 
@@ -47,6 +47,7 @@ OverviewPage::OverviewPage(Workbench &workbench, Selection &selection, const The
     buildEmpty();
     connect(&workbench, &Workbench::changed, this, &OverviewPage::follow);
     connect(&selection, &Selection::changed, this, &OverviewPage::follow);
+    connect(&selection, &Selection::kept, this, &OverviewPage::goToChosen); // not what the program chose
 }
 
 void OverviewPage::buildCards()
@@ -66,7 +67,7 @@ void OverviewPage::buildCards()
     column->addLayout(m_linkGrid);
     column->addLayout(m_deviceGrid);
     column->addWidget(m_ailing); // comes and goes below what may be under the mouse; the notice says it first
-    column->addStretch();
+    column->addStretch(1);       // cards are as low as they can be: more of them are in sight
     scroll->setWidget(m_canvas);
     m_states->addWidget(scroll);
 }
@@ -208,6 +209,13 @@ void OverviewPage::followDevices(const Snapshot &shot)
     }
     followOrder(shot);
     arrange();
+}
+
+void OverviewPage::goToChosen()
+{
+    const auto chosen = m_cards.find(m_selection.device());
+    if (chosen != m_cards.end())
+        static_cast<QScrollArea *>(m_states->widget(0))->ensureWidgetVisible(chosen->second, 0, m_theme.theme().u(12));
 }
 
 /// That of the tree; as long as the mouse is over them a new one comes last and moves none.

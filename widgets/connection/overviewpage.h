@@ -62,6 +62,7 @@ private:
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
     void followOrder(const Snapshot &shot);
+    void goToChosen();
     [[nodiscard]] int fittingColumns(int widest) const;
     void arrange();
     [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
