@@ -50,6 +50,7 @@ private Q_SLOTS:
     void noKeyGoesWhileColumnsHaveRoomToGive();
     void onAWideScreenAValueStandsBesideItsName();
     void namesThatBeginAlikeDifferWhereTheyAreCut();
+    void namesAreWholeWhileNothingIsStaged();
     void longWordsBesideTheTableTakeNoColumnFromIt();
 };
 
@@ -385,10 +386,29 @@ void TestParametersPage::nothingIsCutAtTwiceTheFont()
     applyTheme(*qApp, lightTheme());
 }
 
+void TestParametersPage::namesAreWholeWhileNothingIsStaged()
+{
+    ParameterBench bench(readDrive(), {1048, 640}); // of 1280 beside the devices
+    const auto *panel = bench.page->findChild<ChangesPanel *>();
+    QVERIFY(!panel->isVisible());
+    const ParameterDelegate delegate(bench.theme, bench.model(), nullptr);
+    for (std::uint16_t i = 0; i < dmc60c().parameters.size(); ++i) {
+        const QModelIndex cell = bench.model().indexOf({i}, ParameterModel::Label);
+        const QString name = cell.data().toString();
+        const int needed
+            = QFontMetrics(delegate.cellFont(ParameterModel::Label, bench.view().font())).horizontalAdvance(name)
+            + delegate.labelIndent() + delegate.padding();
+        QVERIFY2(bench.view().columnWidth(ParameterModel::Label) >= needed, qPrintable(name));
+    }
+    bench.stage("slot0.p", "0.5");
+    QVERIFY(panel->isVisible());
+}
+
 void TestParametersPage::longWordsBesideTheTableTakeNoColumnFromIt()
 {
     ParameterBench bench;
     bench.page->resize(1048, 640);
+    bench.stage("slot0.p", "0.5");
     auto *panel = bench.page->findChild<ChangesPanel *>();
     for (auto *label : panel->findChildren<QLabel *>()) {
         if (label->wordWrap())

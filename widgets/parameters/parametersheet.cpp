@@ -7,12 +7,14 @@ namespace mb {
 namespace {
 
 constexpr int changesWidth = 288;
+constexpr int roomForBoth = 1150;       ///< for whole names beside a panel that is empty
 constexpr int leastTable = 26 + 4 * 30; ///< units: its head and four rows
 
 } // namespace
 
 ParameterSheet::ParameterSheet(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, QWidget *parent)
     : QSplitter(Qt::Horizontal, parent)
+    , m_theme(theme)
 {
     setChildrenCollapsible(false);
     setHandleWidth(1);
@@ -47,10 +49,17 @@ void ParameterSheet::setWritable(bool writable)
     fit();
 }
 
+void ParameterSheet::resizeEvent(QResizeEvent *event)
+{
+    QSplitter::resizeEvent(event);
+    fit();
+}
+
 /// What is edited stays in sight when the changes come in below it.
 void ParameterSheet::fit()
 {
-    const bool shown = m_writable && (!m_compact || m_changes->isFilled());
+    const bool shown
+        = m_writable && (m_changes->isFilled() || (!m_compact && width() >= m_theme.theme().u(roomForBoth)));
     if (shown != m_changes->isHidden())
         return;
     m_changes->setVisible(shown);

@@ -9,7 +9,8 @@
 
 namespace mb {
 
-/// The table with its foot, and what is staged beside it, or below it where there is less room.
+/// The table with its foot, and what is staged beside it, or below it where there is less room. Where names would have to be cut for it
+/// it comes only while there is something to write.
 class ParameterSheet : public QSplitter {
     Q_OBJECT
 public:
@@ -18,14 +19,18 @@ public:
     [[nodiscard]] ParameterView &view() { return *m_view; }
     [[nodiscard]] ParameterFoot &foot() { return *m_foot; }
     [[nodiscard]] ChangesPanel &changes() { return *m_changes; }
-    /// Below it only while there is something to write.
+    /// Below it.
     void setCompact(bool compact);
     /// False: values of a file, which has no unit.
     void setWritable(bool writable);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void fit();
 
+    const ThemeSource &m_theme;
     ParameterView *m_view = nullptr;
     ParameterFoot *m_foot = nullptr;
     ChangesPanel *m_changes = nullptr;
