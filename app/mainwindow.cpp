@@ -173,8 +173,8 @@ void MainWindow::addPages()
         [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, families(), m_theme, parent); });
     m_pages->add(tr("Bus"), [this](QWidget *parent) { return new BusPage(m_workbench, *m_arming, m_theme, parent); });
     m_pages->add(tr("Log"), [this](QWidget *parent) { return new LogPage(m_workbench, m_theme, parent); });
-    m_pages->add(
-        tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, families(), m_theme, parent); });
+    m_pages->add(tr("Reports"),
+        [this](QWidget *parent) { return new ReportsPage(m_workbench, m_selection, families(), m_theme, parent); });
 }
 
 void MainWindow::addAbovePages(QWidget &strip)

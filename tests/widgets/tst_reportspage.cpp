@@ -17,7 +17,9 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QTextLayout>
 
 using namespace mb;
 using namespace mb::test;
@@ -34,6 +36,7 @@ QLineEdit *noteOf(const ReportsPage &page)
 
 struct ReportsPageBench {
     FakeWorkbench workbench;
+    Selection selection;
     ThemeSource theme{darkTheme()};
     std::unique_ptr<ReportsPage> page;
 
@@ -56,7 +59,7 @@ struct ReportsPageBench {
         trial.note = "before the new gearbox";
         unit.history.push_back(trial);
         workbench.book.matter = std::vector<ReportUnit>{unit};
-        page = std::make_unique<ReportsPage>(workbench, families(), theme, nullptr);
+        page = std::make_unique<ReportsPage>(workbench, selection, families(), theme, nullptr);
         page->resize(1208, 700);
         page->show();
     }
@@ -115,6 +118,8 @@ private Q_SLOTS:
     void aNoteThatWasBegunIsKeptWhenItsEntryIsNotListedAnyMore();
     void whatIsWrittenIsWhatWasChosenBeforeAnotherUnitEnded();
     void whatIsChosenStaysSoWhileUnitsComeAndGetNumbers();
+    void whoSelectsADeviceSeesItsCard();
+    void thePreviewIsAsLargeAsTheTextAroundIt();
     void aCardIsThatOfTheUnitAsItIsNow();
     void aBookThatCannotBeReadIsToldOnce();
 };
@@ -151,7 +156,6 @@ void TestReportsPage::aWidePreviewIsAPageStill()
     bench.page->resize(3400, 1800);
     QTRY_VERIFY(bench.page->list().count() > 0);
     const auto *preview = bench.page->findChild<QTextBrowser *>();
-    QVERIFY(preview->viewport()->width() > 2000);
     QVERIFY(preview->document()->textWidth() < 1000.0); // a line that is longer is not read
 }
 
@@ -197,7 +201,8 @@ void TestReportsPage::withoutUnitsItSaysSo()
 {
     FakeWorkbench workbench;
     const ThemeSource theme(darkTheme());
-    ReportsPage page(workbench, families(), theme, nullptr);
+    const Selection selection;
+    ReportsPage page(workbench, selection, families(), theme, nullptr);
     page.show();
     QCOMPARE(page.list().count(), 0);
     QVERIFY(!page.list().isVisible());
@@ -390,6 +395,46 @@ void TestReportsPage::whatIsChosenStaysSoWhileUnitsComeAndGetNumbers()
     bench.workbench.device(1).identity.edit().address = 9;
     bench.workbench.publish();
     QTRY_VERIFY2(chosen().contains(QStringLiteral("Trial #17 of DMC60C #9")), qPrintable(chosen()));
+}
+
+void TestReportsPage::whoSelectsADeviceSeesItsCard()
+{
+    ReportsPageBench bench;
+    DeviceView another = bench.workbench.device(0);
+    another.id = {2};
+    another.selector = "sim:can/dmc60c:7";
+    another.identity.edit().address = 7;
+    another.unit = "simulated dmc60c 2103343A0007";
+    bench.workbench.shot.devices.push_back(another);
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.page->list().count(), 4);
+    const auto chosen = [&bench] { return bench.page->list().currentItem()->text(); };
+    QVERIFY(chosen().contains(QStringLiteral("Card of DMC60C #5")));
+    bench.selection.select({2});
+    QVERIFY2(chosen().contains(QStringLiteral("Card of DMC60C #7")), qPrintable(chosen()));
+    bench.page->list().setCurrentRow(0); // somebody looks at another
+    bench.workbench.publish();
+    QVERIFY2(chosen().contains(QStringLiteral("Card of DMC60C #5")), qPrintable(chosen()));
+}
+
+void TestReportsPage::thePreviewIsAsLargeAsTheTextAroundIt()
+{
+    const auto largest = [](double points) {
+        ReportsPageBench bench;
+        bench.theme.setTheme(darkTheme(points));
+        bench.page->hide();
+        bench.page->show();
+        const auto *text = bench.page->findChild<QTextBrowser *>();
+        [&] { QTRY_VERIFY(bench.page->previewText().contains(QStringLiteral("2103343A79F2"))); }();
+        int pixels = 0;
+        for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next()) {
+            for (const QTextLayout::FormatRange &part : block.textFormats())
+                pixels = std::max(pixels, part.format.font().pixelSize());
+        }
+        return pixels;
+    };
+    QVERIFY(largest(10.0) > 0);
+    QCOMPARE(largest(20.0), 2 * largest(10.0));
 }
 
 void TestReportsPage::aCardIsThatOfTheUnitAsItIsNow()

@@ -17,8 +17,9 @@ constexpr auto drawingScheme = "svg:";
 
 } // namespace
 
-ReportDrawings::ReportDrawings(QObject *parent)
+ReportDrawings::ReportDrawings(QObject *parent, double scale)
     : QObject(parent)
+    , m_scale(scale)
 {
 }
 
@@ -46,7 +47,7 @@ QSizeF ReportDrawings::intrinsicSize(QTextDocument *document, int position, cons
     const QSvgRenderer *const drawing = find(format);
     if (!drawing)
         return {};
-    const QSizeF own = drawing->defaultSize();
+    const QSizeF own = QSizeF(drawing->defaultSize()) * m_scale;
     const QTextBlockFormat block = document->findBlock(position).blockFormat();
     double room = document->textWidth() - block.leftMargin() - block.rightMargin();
     for (const QTextFrame *frame = document->frameAt(position); frame; frame = frame->parentFrame()) {

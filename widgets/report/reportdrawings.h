@@ -17,7 +17,8 @@ class ReportDrawings : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 public:
-    explicit ReportDrawings(QObject *parent = nullptr);
+    /// `scale`: of their own size, where there is room.
+    explicit ReportDrawings(QObject *parent = nullptr, double scale = 1.0);
     ~ReportDrawings() override;
 
     /// The text with an image where each `<svg>` was.
@@ -30,6 +31,7 @@ public:
 private:
     [[nodiscard]] QSvgRenderer *find(const QTextFormat &format) const;
 
+    double m_scale;
     std::vector<std::unique_ptr<QSvgRenderer>> m_drawings;
 };
 

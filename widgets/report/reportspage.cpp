@@ -17,6 +17,7 @@
 #include "widgets/common/turningsplitter.h"
 #include "widgets/common/visitarchive.h"
 #include "widgets/common/wraplayout.h"
+#include "widgets/report/entrydelegate.h"
 #include "widgets/report/reportdrawings.h"
 #include "widgets/report/reportorder.h"
 
@@ -24,6 +25,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QRegularExpression>
 #include <QStackedWidget>
 #include <QTextBrowser>
 
@@ -84,12 +86,28 @@ void addBooks(std::vector<ReportEntry> &entries, const ReportUnit &here, const R
     }
 }
 
+/// The pixels of its sheet are those of a page; on a screen they follow the text around it.
+QString inSizeOf(const QString &html, double scale)
+{
+    static const QRegularExpression size(QStringLiteral("font-size: (\\d+)px"));
+    QString scaled;
+    int from = 0;
+    for (auto all = size.globalMatch(html); all.hasNext();) {
+        const QRegularExpressionMatch one = all.next();
+        scaled += html.mid(from, one.capturedStart() - from)
+            + QStringLiteral("font-size: %1px").arg(qRound(one.captured(1).toInt() * scale));
+        from = one.capturedEnd();
+    }
+    return scaled + html.mid(from);
+}
+
 } // namespace
 
-ReportsPage::ReportsPage(
-    Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent)
+ReportsPage::ReportsPage(Workbench &workbench, const Selection &selection, std::span<const Family *const> families,
+    const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
+    , m_selection(selection)
     , m_theme(theme)
     , m_families(families)
     , m_order(new ReportOrder(workbench, *this))
@@ -111,6 +129,7 @@ ReportsPage::ReportsPage(
     addKeys();
     connect(&workbench, &Workbench::unitEnded, this, &ReportsPage::askJournal);
     connect(&workbench, &Workbench::changed, this, &ReportsPage::follow);
+    connect(&selection, &Selection::changed, this, &ReportsPage::followSelection);
     connect(&theme, &ThemeSource::changed, this, &ReportsPage::fill); // shapes have colours of their own
 }
 
@@ -134,7 +153,7 @@ QWidget *ReportsPage::buildList()
     m_list = new QListWidget(side);
     m_list->setAccessibleName(tr("Reports, newest first"));
     m_list->setFrameShape(QFrame::NoFrame);
-    m_list->setWordWrap(true);
+    m_list->setItemDelegate(new EntryDelegate(m_theme, m_list));
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setResizeMode(QListView::Adjust);
     column->addWidget(m_list, 1);
@@ -154,11 +173,11 @@ QWidget *ReportsPage::buildPreview()
     row->setSpacing(theme.u(8));
     row->addWidget(new SectionLabel(tr("Preview"), area));
     row->addSpring();
-    m_form = new QComboBox(area);
-    m_form->setAccessibleName(tr("Size of the report"));
-    m_form->addItem(tr("Pages, A4"));
-    m_form->addItem(tr("Label, 62 × 29 mm"));
-    row->addWidget(m_form);
+    auto *form = new QComboBox(area);
+    form->setAccessibleName(tr("Size of the report"));
+    form->addItem(tr("Pages, A4"));
+    form->addItem(tr("Label, 62 × 29 mm"));
+    row->addWidget(form);
     m_table = new CommandButton(m_theme, Symbol::Export, tr("Save CSV…"), area);
     m_table->setToolTip(tr("The entries of the journal that are listed, as a table"));
     row->addWidget(m_table);
@@ -173,17 +192,19 @@ QWidget *ReportsPage::buildPreview()
     m_text->setAccessibleName(tr("Preview of the report"));
     m_text->setFrameShape(QFrame::NoFrame);
     m_text->setOpenLinks(false);
-    m_text->setLineWrapMode(QTextEdit::FixedPixelWidth);
-    m_text->viewport()->installEventFilter(this); // its width is known once the bar beside it is
-    QPalette paper = m_text->palette();           // as it is printed, in both themes
+    m_text->setMaximumWidth(theme.u(pageWidth)); // lines that are longer are not read
+    QPalette paper = m_text->palette();          // as it is printed, in both themes
     paper.setColor(QPalette::Base, Qt::white);
     paper.setColor(QPalette::Text, Qt::black);
     m_text->setPalette(paper);
-    m_text->setStyleSheet(QStringLiteral("QTextBrowser { background: white; color: black; }"));
-    column->addWidget(m_text, 1);
+    m_text->setStyleSheet(QStringLiteral("QTextBrowser { background: white; color: black; border: 1px solid gray; }"));
+    auto *desk = new QHBoxLayout; // on which the sheet lies
+    desk->setContentsMargins(theme.u(12), theme.u(12), theme.u(12), 0);
+    desk->addWidget(m_text);
+    column->addLayout(desk, 1);
     connect(m_export, &QPushButton::clicked, this, &ReportsPage::exportChosen);
     connect(m_table, &QPushButton::clicked, this, &ReportsPage::askTable);
-    connect(m_form, qOverload<int>(&QComboBox::currentIndexChanged), this, &ReportsPage::setForm);
+    connect(form, qOverload<int>(&QComboBox::currentIndexChanged), this, &ReportsPage::setForm);
     return area;
 }
 
@@ -220,14 +241,6 @@ void ReportsPage::showEvent(QShowEvent *event)
     m_asked.clear(); // there may be new trials
     askJournal();
     follow();
-}
-
-/// Lines that are wider than those of a page are not read.
-bool ReportsPage::eventFilter(QObject *watched, QEvent *event)
-{
-    if (m_text && watched == m_text->viewport() && event->type() == QEvent::Resize)
-        m_text->setLineWrapColumnOrWidth(std::min(m_text->viewport()->width(), m_theme.theme().u(pageWidth)));
-    return QWidget::eventFilter(watched, event);
 }
 
 void ReportsPage::askJournal()
@@ -279,6 +292,7 @@ void ReportsPage::follow()
                     addBooks(gathering->entries, here, unit);
                 if (--gathering->missing == 0) {
                     m_entries = std::move(gathering->entries);
+                    followSelection();
                     fill();
                 }
             }));
@@ -286,6 +300,19 @@ void ReportsPage::follow()
     if (!devices.empty() && !m_entries.empty())
         return;
     m_entries = gathering->entries;
+    fill();
+}
+
+/// The card of a device that was just selected; what somebody chooses in the list afterwards stays.
+void ReportsPage::followSelection()
+{
+    const DeviceView *const view = m_workbench.snapshot().device(m_selection.device());
+    const auto card = std::ranges::find_if(m_entries, [view](const ReportEntry &entry) {
+        return view && entry.kind == ReportEntry::Kind::Card && entry.unit.selector == view->selector;
+    });
+    if (card == m_entries.end() || std::exchange(m_followed, view->id) == view->id)
+        return;
+    m_chosen = *card;
     fill();
 }
 
@@ -365,9 +392,10 @@ void ReportsPage::lookAt(const ReportEntry &entry, int asked)
                 return;
             if (!report)
                 return m_text->setPlainText(errorText(report.error()));
-            auto *drawings = new ReportDrawings(m_text);
+            const double scale = m_theme.theme().bodyPointSize / 10.0;
+            auto *drawings = new ReportDrawings(m_text, scale);
             m_text->document()->documentLayout()->registerHandler(QTextFormat::ImageObject, drawings);
-            m_text->setHtml(drawings->takeFrom(htmlOf(*report, m_order->form())));
+            m_text->setHtml(drawings->takeFrom(inSizeOf(htmlOf(*report, m_order->form()), scale)));
             delete std::exchange(m_drawings, drawings);
         }));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
 #include "widgets/report/reportentry.h"
 
@@ -32,8 +33,8 @@ class ReportsPage : public QWidget {
 public:
     enum Filter { All, Cards, Tunings, Journal };
 
-    ReportsPage(
-        Workbench &workbench, std::span<const Family *const> families, const ThemeSource &theme, QWidget *parent);
+    ReportsPage(Workbench &workbench, const Selection &selection, std::span<const Family *const> families,
+        const ThemeSource &theme, QWidget *parent);
 
     void setFilter(Filter filter);
     [[nodiscard]] QListWidget &list() { return *m_list; }
@@ -47,7 +48,6 @@ public:
 
 protected:
     void showEvent(QShowEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     QWidget *buildList();
@@ -56,6 +56,7 @@ private:
     void addKeys();
     void follow();
     void askJournal();
+    void followSelection();
     void fill();
     void preview();
     void lookAt(const ReportEntry &entry, int asked);
@@ -69,12 +70,14 @@ private:
     [[nodiscard]] const ReportEntry *chosen() const;
 
     Workbench &m_workbench;
+    const Selection &m_selection;
     const ThemeSource &m_theme;
     std::span<const Family *const> m_families;
     QString m_asked; ///< of whom it was asked, to ask once
     std::vector<ReportEntry> m_entries;
     std::vector<ReportEntry> m_journal;
     std::optional<ReportEntry> m_chosen; ///< found again when the list is another
+    DeviceId m_followed;                 ///< the selected device, once its card was chosen
     QStackedWidget *m_states = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_filter = nullptr;
@@ -85,7 +88,6 @@ private:
         std::string of; ///< id of the visit; empty: there is none
         QString kept;   ///< as the journal has it, or will have it
     } m_noted;
-    QComboBox *m_form = nullptr;
     ReportDrawings *m_drawings = nullptr;
     CommandButton *m_export = nullptr;
     CommandButton *m_table = nullptr;
