@@ -24,6 +24,7 @@ private Q_SLOTS:
     void aTrialThatIsForgottenIsNotLookedAtAnyMore();
     void theReportHasOnlyTrialsThatAreKept();
     void withoutAHeadThePlotSaysItselfWhatItsLinesAre();
+    void theStepsAreWholeOrAway();
     void twoThatWereHeldForOtherTimesAreDrawnWithoutTheirReturns();
 };
 
@@ -178,6 +179,20 @@ void TestTrialSight::withoutAHeadThePlotSaysItselfWhatItsLinesAre()
     bench.page->resize(640, 320); // one part at a time
     QVERIFY(bench.page->frame().isCompact());
     QCOMPARE(names(), (QStringList{s("A #1"), s("B #2"), s("set-point")}));
+}
+
+void TestTrialSight::theStepsAreWholeOrAway()
+{
+    TrialBench bench;
+    bench.page->showLive(true); // which has a sentence beside them
+    const auto *steps = bench.page->findChild<TuneSteps *>();
+    for (int width = 560; width < 1300; width += 20) {
+        bench.page->resize(width, 580);
+        bench.workbench.publish();
+        QCoreApplication::processEvents();
+        QVERIFY2(
+            steps->width() == 0 || steps->width() >= steps->sizeHint().width(), qPrintable(QString::number(width)));
+    }
 }
 
 void TestTrialSight::theReportHasOnlyTrialsThatAreKept()

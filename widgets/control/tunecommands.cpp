@@ -51,8 +51,9 @@ void TuneCommands::fitSteps()
         others += beside->isHidden() ? 0 : beside->sizeHint().width();
     m_steps->setFolded(
         m_steps->unfoldedWidth() > width() - others - m_theme.theme().u(m_status->isHidden() ? 0 : leastSentence));
-    // Where there is no room for its discs either it goes, before a button is cut.
-    m_steps->setMaximumWidth(m_steps->sizeHint().width() > width() - others ? 0 : QWIDGETSIZE_MAX);
+    // Where there is no room for its discs either it goes, before a button is cut; else the sentence beside it gives way.
+    const int steps = m_steps->sizeHint().width();
+    m_steps->setFixedWidth(steps > width() - others ? 0 : steps);
 }
 
 void TuneCommands::setFolded(bool folded)

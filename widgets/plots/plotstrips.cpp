@@ -120,7 +120,8 @@ void PlotStrips::updateHeads()
     const QFontMetrics caption(theme.font(TextRole::Caption, m_plot.font()));
     const bool anySecond = std::ranges::any_of(
         m_traces, [](const auto &entry) { return entry.second.visible && entry.second.style.secondAxis; });
-    const int secondAxisWidth = anySecond ? theme.u(56) : 0;
+    const int secondAxisWidth
+        = anySecond ? std::max(theme.u(56), caption.horizontalAdvance(QStringLiteral("−888 888")) + theme.u(12)) : 0;
     const int right = tagMargin(m_traces, theme, m_plot.font()) + (m_strips.empty() ? 0 : secondAxisWidth);
     for (std::size_t i = 0; i < m_strips.size(); ++i) {
         PlotStrip &strip = *m_strips[i];

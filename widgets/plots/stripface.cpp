@@ -62,9 +62,10 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     painter.setFont(small);
     painter.setPen(theme.dim);
     const double left = m_rect.outerRect().left();
-    const bool low = m_decor.headGap == 0; // beside the number at the top of the axis
+    const bool low = m_decor.headGap == 0; // above the number at the top of the axis, which ends beside it
     const QRectF corner(left + (low ? theme.u(4) : 0), top, box.left() - left - theme.u(low ? 4 : 7), height);
-    painter.drawText(corner, static_cast<int>((low ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter), m_decor.unit);
+    painter.drawText(
+        corner, static_cast<int>(low ? Qt::AlignLeft | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter), m_decor.unit);
     if (!m_decor.secondUnit.isEmpty()) {
         const QRectF other(box.right() + theme.u(7), top, m_decor.secondAxisWidth + theme.u(40), height);
         painter.drawText(other, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
@@ -176,7 +177,12 @@ void StripFace::drawWords(QCPPainter &painter) const
     };
     QColor behind = theme.canvas; // what must cross a curve is still read
     behind.setAlphaF(0.8);
-    for (const StripWord &word : stripWords(m_decor, m_rect, caption(), theme)) {
+    const std::vector<StripWord> words = stripWords(m_decor, m_rect, caption(), theme);
+    for (const StripWord &word : words) { // below all of them
+        if (word.kind == StripWord::Kind::Note)
+            drawLeader(painter, m_decor.notes[word.index], word.place);
+    }
+    for (const StripWord &word : words) {
         painter.setFont(caption());
         if (!m_decor.curves.empty() && word.kind != StripWord::Kind::Mark)
             painter.fillRect(word.place, behind);
@@ -193,18 +199,22 @@ void StripFace::drawWords(QCPPainter &painter) const
     }
 }
 
-void StripFace::drawNote(QCPPainter &painter, const PlotNote &note, const QRectF &place) const
+void StripFace::drawLeader(QCPPainter &painter, const PlotNote &note, const QRectF &place) const
 {
-    const Theme &theme = m_theme.theme();
     const QPointF at(
         m_rect.axis(QCPAxis::atBottom)->coordToPixel(note.key), m_rect.axis(QCPAxis::atLeft)->coordToPixel(note.value));
-    QPen leader(theme.dim, 1, Qt::DotLine);
+    QPen leader(m_theme.theme().dim, 1, Qt::DotLine);
     leader.setCosmetic(true);
     painter.setPen(leader);
     const double end = at.x() > place.right() ? place.right() + 2 : std::max(at.x(), place.left() - 2);
     const double top = at.y() < place.top() ? place.top() : at.y() > place.bottom() ? place.bottom() : at.y();
     const bool over = end > place.left() - 2 && end < place.right() + 2; // straight above or below the point
     painter.drawLine(QLineF(at, QPointF(end, over ? top : place.center().y())));
+}
+
+void StripFace::drawNote(QCPPainter &painter, const PlotNote &note, const QRectF &place) const
+{
+    const Theme &theme = m_theme.theme();
     QFont font = note.strong ? theme.font(TextRole::Emphasis, caption()) : caption();
     font.setPointSizeF(caption().pointSizeF());
     painter.setFont(font);

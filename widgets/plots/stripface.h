@@ -25,6 +25,7 @@ private:
     void drawMarks(QCPPainter &painter, const QRectF &box) const;
     void drawTrigger(QCPPainter &painter, const QRectF &box) const;
     void drawWords(QCPPainter &painter) const;
+    void drawLeader(QCPPainter &painter, const PlotNote &note, const QRectF &place) const;
     void drawNote(QCPPainter &painter, const PlotNote &note, const QRectF &place) const;
     void drawFlag(QCPPainter &painter, const PlotMark &mark, const QRectF &place) const;
     QFont caption() const;
