@@ -67,7 +67,7 @@ constexpr std::array<Doubt, 8> countedDoubts{{
     {1.001, 1.015, 0.975, 0.01, 0.13},
 }};
 constexpr double heatOfATuning = 0.8; ///< squares of duty
-constexpr double mostOvershootWhenWarm = 0.02;
+constexpr double mostOvershootWhenWarm = 0.035;
 constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyond
 constexpr double never = std::numeric_limits<double>::infinity();
 
