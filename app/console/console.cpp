@@ -25,10 +25,10 @@ void Console::note(std::string_view text) const
         complain(text);
 }
 
-std::uint64_t Console::sent() const
+std::uint64_t Console::sentIn(const Session &session)
 {
     std::uint64_t all = 0;
-    for (const Link *link : m_session.links())
+    for (const Link *link : session.links())
         all += link->counters().tx;
     return all;
 }

@@ -36,6 +36,8 @@ public:
     void begin() { m_sentBefore = sent(); }
     /// Whatever is asked meanwhile, the device is told nothing until begin(): what is refused till then is wrong usage.
     void onlyAsk() { m_sentBefore.reset(); }
+    /// Of the session of a stage that ends: it was sent by this verb, too.
+    void countSent(const Session &session) { m_sentOnStages += sentIn(session); }
     /// A unit is between two steps that belong together: the computer must not sleep.
     void stayAwake(bool must) { m_staysAwake = must; }
     [[nodiscard]] bool staysAwake() const { return m_staysAwake; }
@@ -48,7 +50,8 @@ public:
     void interrupt();
 
 private:
-    [[nodiscard]] std::uint64_t sent() const;
+    [[nodiscard]] static std::uint64_t sentIn(const Session &session);
+    [[nodiscard]] std::uint64_t sent() const { return m_sentOnStages + sentIn(m_session); }
 
     Options m_options;
     Output m_output;
@@ -60,6 +63,7 @@ private:
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;
     bool m_staysAwake = false;
+    std::uint64_t m_sentOnStages = 0;
     std::optional<std::uint64_t> m_sentBefore; ///< in finding the device
 };
 

@@ -177,6 +177,7 @@ Task<int> drive(Console &console, DriveArguments arguments)
     co_await Sleep(console.clock(), masterListen);
     console.onlyAsk();
     co_await needsApplication(*device);
+    co_await noteOwed(console, *device);
     co_await mayDrive(*device, plan.setPoint);
     if (const Message caution = device->caution(plan.setPoint); !caution.empty())
         console.note(device->selector() + ": " + caution.english());

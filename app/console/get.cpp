@@ -78,6 +78,7 @@ Task<int> get(Console &console, GetArguments arguments)
     co_await needsApplication(*device);
     if (arguments.keys.empty())
         indices = readable(*device);
+    co_await noteOwed(console, *device);
     const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, indices);
     const auto error = firstError(*device, outcomes);
     const bool any

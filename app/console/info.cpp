@@ -248,16 +248,6 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
     return {};
 }
 
-/// No notebook is begun for that.
-Task<std::vector<std::string>> owedTo(Console &console, Device &device)
-{
-    const bool isAsked = !device.link().address().isRecording() && device.identity().state == DeviceState::Online;
-    if (!isAsked || !QFile::exists(qt(databaseFile())))
-        co_return std::vector<std::string>();
-    Notebook notebook(console);
-    co_return co_await notebook.owedLines(device);
-}
-
 Task<int> info(Console &console, FactsArguments arguments)
 {
     auto target = co_await parseTarget(console, arguments.device);
@@ -274,7 +264,7 @@ Task<int> info(Console &console, FactsArguments arguments)
     }
     if (!recorded && device->identity().state == DeviceState::Online)
         co_await awaitStates(console, *device);
-    const std::vector<std::string> owed = co_await owedTo(console, *device);
+    const std::vector<std::string> owed = co_await owedLines(console, *device);
     device->link().recount();
     const std::string name = UnitNames(console).of(*device);
     if (!console.json()) {

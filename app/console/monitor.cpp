@@ -41,7 +41,9 @@ Task<int> monitor(Console &console, MonitorArguments arguments)
     FrameLines lines(console, arguments.dialect, link->kind());
     const TimeOrigin base(console.session().clockOf(*link), link->address());
     const std::string name = link->address().shortName();
+    bool isSilent = true;
     const Subscription tap = link->traffic().add([&](const Traffic &traffic) {
+        isSilent = false;
         const Duration stamp = base.of(traffic.time);
         if (console.json() && traffic.can)
             lines.print(stamp, name, *traffic.can);
@@ -54,6 +56,9 @@ Task<int> monitor(Console &console, MonitorArguments arguments)
     link->catchUp();
     lines.finish();
     link->recount();
+    if (isSilent)
+        console.note("nothing was heard on " + link->address().text()
+            + (link->address().isSimulated() ? "; units on a simulated link speak when this program asks them" : ""));
     if (const std::uint64_t lost = link->counters().lost; lost > 0)
         console.note(std::to_string(lost) + (link->kind() == LinkKind::Can ? " frames" : " bytes")
             + " were lost on the way from the kernel");

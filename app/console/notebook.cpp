@@ -65,6 +65,23 @@ Task<void> keepStored(Console &console, const Device &device)
     co_return {};
 }
 
+Task<std::vector<std::string>> owedLines(Console &console, Device &device)
+{
+    const bool isAsked = !device.link().address().isRecording() && device.identity().state == DeviceState::Online;
+    if (!isAsked || !QFile::exists(qt(databaseFile())))
+        co_return std::vector<std::string>();
+    Notebook notebook(console);
+    co_return co_await notebook.owedLines(device);
+}
+
+Task<void> noteOwed(Console &console, Device &device)
+{
+    const std::vector<std::string> owed = co_await owedLines(console, device);
+    for (const std::string &line : owed)
+        console.note(line);
+    co_return {};
+}
+
 UnitNames::UnitNames(Console &console)
     : m_console(console)
 {

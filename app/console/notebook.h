@@ -22,6 +22,11 @@ class Notebook;
 /// Into the history, where there is one: what a unit has after its restart is in its flash.
 [[nodiscard]] Task<void> keepStored(Console &console, const Device &device);
 
+/// Notebook::owedLines() of a verb that has no notebook; none is begun for that.
+[[nodiscard]] Task<std::vector<std::string>> owedLines(Console &console, Device &device);
+/// Tells them: what stands in the device is not what its user left there.
+[[nodiscard]] Task<void> noteOwed(Console &console, Device &device);
+
 /// What units are called: by themselves, or by what `rename` keeps on this computer for those that store no name. No notebook is
 /// begun for that.
 class UnitNames {

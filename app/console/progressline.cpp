@@ -70,4 +70,24 @@ void ProgressLine::erase()
         write("\r\x1B[K");
 }
 
+WriteProgress::WriteProgress(Console &console)
+    : ProgressLine(console)
+    , m_console(console)
+{
+}
+
+WriteProgress::~WriteProgress()
+{
+    if (m_console.isInterrupted() && m_done < m_total)
+        m_console.note(std::to_string(m_done) + " of " + std::to_string(m_total)
+            + " values are written, and the next one may be; 'motorbenchctl get' reads what is in force");
+}
+
+void WriteProgress::step(const Message &what, int done, int total)
+{
+    m_done = done;
+    m_total = total;
+    ProgressLine::step(what, done, total);
+}
+
 } // namespace mb::console

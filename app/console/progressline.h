@@ -9,7 +9,7 @@ namespace mb::console {
 
 /// Progress on standard error: a bar that is redrawn on a terminal, otherwise a line a second at most. Nothing with
 /// --quiet.
-class ProgressLine final : public Progress, private NonCopyable {
+class ProgressLine : public Progress, private NonCopyable {
 public:
     explicit ProgressLine(Console &console);
     ~ProgressLine() override { erase(); }
@@ -27,6 +27,20 @@ private:
     bool m_drawn = false;
     Instant m_next{};
     std::string m_last; ///< said already
+};
+
+/// Of values that are written one after the other; says how far it came where the program is interrupted between two of them.
+class WriteProgress final : public ProgressLine {
+public:
+    explicit WriteProgress(Console &console);
+    ~WriteProgress() override;
+
+    void step(const Message &what, int done, int total) override;
+
+private:
+    Console &m_console;
+    int m_done = 0;
+    int m_total = 0;
 };
 
 } // namespace mb::console

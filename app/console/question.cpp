@@ -9,6 +9,7 @@
 #include <array>
 #include <iostream>
 
+#include <termios.h>
 #include <unistd.h>
 
 namespace mb::console {
@@ -27,6 +28,7 @@ std::string line()
 
 Task<bool> ask(Console &console, std::string question)
 {
+    ::tcflush(STDIN_FILENO, TCIFLUSH); // what was typed before it was asked is no answer
     std::cerr << question << " [y/N] " << std::flush;
     Event over;
     Timer posted(console.clock()); // nobody is ended from inside its own signal

@@ -85,6 +85,7 @@ Task<ReportUnit> readUnit(Console &console, Target target)
     unit.unit = unitKeyOf(*device);
     unit.simulated = device->link().address().isSimulated();
     if (needsApplication(*device)) {
+        co_await noteOwed(console, *device);
         const std::vector<TransferOutcome> outcomes = co_await readKept(console, *device, readable(*device));
         if (const auto error = firstError(*device, outcomes))
             co_return fail(*error);

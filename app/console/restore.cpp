@@ -142,7 +142,7 @@ Task<std::optional<Error>> write(Console &console, Device &device, Notebook &not
     std::vector<ParameterChange> writes;
     for (const Change &change : changes)
         writes.push_back({change.difference.index, change.difference.to});
-    ProgressLine progress(console);
+    WriteProgress progress(console);
     auto writing = settings::writeKept(
         device, writes, {settings::Origin::Console, settings::Purpose::Restore}, notebook.settings(), progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
@@ -225,7 +225,9 @@ Task<int> restore(Console &console, RestoreArguments arguments)
         changes = co_await changesOf(console, *device, *file, arguments);
     }
     std::optional<Error> error;
-    if (!arguments.dryRun && !changes.empty()) {
+    if (arguments.dryRun || changes.empty()) {
+        co_await noteOwed(console, *device);
+    } else {
         error = co_await write(console, *device, notebook, changes);
     }
     show(console, *device, changes,

@@ -9,6 +9,7 @@
 #include "settings/storing.h"
 #include "settings/writing.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mb::console {
@@ -89,7 +90,8 @@ private:
 };
 
 /// Yields the error that is to be told besides the values, if any. Fails when nothing is known to print.
-Task<std::optional<Error>> store(Console &console, Device &device, settings::SettingsLog *log)
+Task<std::optional<Error>> store(
+    Console &console, Device &device, const std::vector<ParameterChange> &changes, settings::SettingsLog *log)
 {
     ProgressLine progress(console);
     Unproved unproved(console);
@@ -99,8 +101,15 @@ Task<std::optional<Error>> store(Console &console, Device &device, settings::Set
     if (!stored)
         co_return std::optional<Error>(
             stored.error().about(say("the values are in force but not proved to be stored")));
+    const auto canBeRead = [&device](const ParameterChange &change) {
+        return device.parameters().parameter(change.index).access != Access::WriteOnly;
+    };
+    const bool isReadable = std::ranges::any_of(changes, canBeRead);
     if (!*stored)
-        console.note("this device cannot prove that it stored the values; read them again after a power cycle");
+        console.note(isReadable
+                ? "this device cannot prove that it stored the values; read them again after a power cycle"
+                : "this device cannot prove that it stored the values, and none of them can be read; see after a power "
+                  "cycle that it does as before");
     co_return std::optional<Error>();
 }
 
@@ -136,7 +145,7 @@ Task<int> set(Console &console, SetArguments arguments)
         console.note(line);
     std::vector<TransferOutcome> outcomes;
     {
-        ProgressLine progress(console);
+        WriteProgress progress(console);
         auto writing
             = settings::writeKept(*device, changes, {settings::Origin::Console}, notebook.settings(), progress);
         outcomes = co_await std::move(writing);
@@ -147,7 +156,7 @@ Task<int> set(Console &console, SetArguments arguments)
     if (error && error->fault != Fault::BadCheck)
         co_return console.fails(*error); // judged now: what is polled meanwhile was not sent by this verb
     if (arguments.store && !error) {
-        error = co_await store(console, *device, notebook.settings());
+        error = co_await store(console, *device, changes, notebook.settings());
     }
     show(console, *device, changes, outcomes, error.has_value());
     if (!error)

@@ -65,6 +65,7 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
         co_return fail(*notebook.trouble());
     Device *const found = co_await connect(console, target);
     co_await needsApplication(*found);
+    co_await noteOwed(console, *found);
     ProgressLine progress(console);
     auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
     const ParameterSnapshot taken = co_await std::move(taking);

@@ -16,7 +16,11 @@ Stage::Stage(Console &console, const LinkAddress &link)
     m_session = std::make_unique<Session>(*m_clock, console.families());
 }
 
-Stage::~Stage() = default;
+Stage::~Stage()
+{
+    if (m_session)
+        m_console.countSent(*m_session);
+}
 
 Task<Device *> Stage::find(Target target)
 {

@@ -145,7 +145,8 @@ Result<int> verdictOf(const Trial &trial)
 {
     if (trial.reason == EndReason::Link)
         return fail(Fault::LinkLost, say("the experiment ended because the link was lost: %1", trial.detail),
-            trial.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
+            trial.stopped ? say("the motor was seen stopped; check the cable")
+                          : say("see that the motor stands before anything else"));
     if (!trial.stopped)
         return fail(Fault::Unsafe, say("the stop was not confirmed by %1", trial.device),
             say("cut its power if the motor still turns"));

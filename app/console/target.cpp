@@ -220,20 +220,28 @@ Result<void> checkName(std::string_view name, const std::string &text)
     return {};
 }
 
-Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high)
+namespace {
+
+Result<double> parseAs(Message example, std::string_view name, const std::string &text, double low, double high)
 {
     const std::optional<double> number = numberFrom(text);
     if (!number)
-        return fail(
-            Fault::OutOfRange, say("%1: '%2' is not a number", name, text), say("write it with a dot, like 2.5"));
+        return fail(Fault::OutOfRange, say("%1: '%2' is not a number", name, text), std::move(example));
     if (*number < low || *number > high)
         return fail(Fault::OutOfRange, say("%1: %2 is out of range", name, text), say("legal is %1 … %2", low, high));
     return *number;
 }
 
+} // namespace
+
+Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high)
+{
+    return parseAs(say("write it with a dot, like 2.5"), name, text, low, high);
+}
+
 Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
 {
-    MB_TRY(const auto number, parseNumber(name, text, low, high));
+    MB_TRY(const auto number, parseAs(say("legal is %1 … %2", low, high), name, text, low, high));
     if (number != std::floor(number))
         return fail(
             Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("legal is %1 … %2", low, high));

@@ -143,8 +143,9 @@ std::vector<std::pair<std::string, std::optional<double>>> numbersOf(
     for (const ParameterChange &change : changes) {
         const Parameter &parameter = family.parameters[change.index.value];
         const Value value = toValue(parameter, change.raw);
-        if (const double *number = std::get_if<double>(&value))
-            numbers.emplace_back(parameter.key, *number);
+        const double *const number = std::get_if<double>(&value);
+        numbers.emplace_back(
+            parameter.key, number ? *number : static_cast<double>(change.raw)); // on and off are 1 and 0
     }
     return numbers;
 }

@@ -151,8 +151,10 @@ public:
             m_lost.push_back(std::exchange(m_losses[title], 0));
         }
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        while (!isEnough(m_most, m_loaded->telemetry->memoryUse()) && next(line))
-            MB_TRY_VOID(takeRow(fieldsOf(line, m_separator)));
+        while (!isEnough(m_most, m_loaded->telemetry->memoryUse()) && next(line)) {
+            if (const auto taken = takeRow(fieldsOf(line, m_separator)); !taken && !isLeftOut())
+                return tl::unexpected(taken.error());
+        }
         if (m_tooLong)
             return wrong(tooLong());
         for (std::uint16_t i = 0; i < m_lost.size(); ++i) {
@@ -176,6 +178,13 @@ private:
                 line.pop_back();
         } while (line.empty());
         return true;
+    }
+
+    /// A line that is not understood and has no end is what a cut of power or a full disk has left of the last one.
+    bool isLeftOut()
+    {
+        m_loaded->complete = !m_file.eof() && m_loaded->complete;
+        return m_file.eof();
     }
 
     /// Whether all are read that there may be; of a file that ends there nothing is left out.
@@ -254,12 +263,15 @@ private:
         std::string line;
         while (!isEnough(m_most / 3, 0) && next(line)) {
             const std::vector<std::string> fields = fieldsOf(line);
-            if (fields.size() != 4)
-                return wrong(say("expected time, channel, value and unit"));
-            const auto time = timeOf(fields[0], 0.0);
-            const auto value = numberOf(fields[2]);
-            if (!time || !value || !std::isfinite(*value))
-                return wrong(say("'%1' is no number", (time ? fields[2] : fields[0])));
+            const bool isWhole = fields.size() == 4;
+            const auto time = isWhole ? timeOf(fields[0], 0.0) : std::nullopt;
+            const auto value = isWhole ? numberOf(fields[2]) : std::nullopt;
+            if (!time || !value || !std::isfinite(*value)) {
+                if (isLeftOut())
+                    break;
+                return wrong(isWhole ? say("'%1' is no number", (time ? fields[2] : fields[0]))
+                                     : say("expected time, channel, value and unit"));
+            }
             const auto [place, isNew] = places.emplace(fields[1], static_cast<std::uint16_t>(places.size()));
             if (places.size() > mostColumns)
                 return wrong(say("more than 1000 channels"));

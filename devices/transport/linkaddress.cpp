@@ -46,11 +46,11 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
     const auto colon = text.find(':');
     if (colon == std::string_view::npos)
         return fail(
-            Fault::OutOfRange, say("'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:", text));
+            Fault::Usage, say("'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:", text));
     LinkAddress address;
     address.scheme = text.substr(0, colon);
     if (std::ranges::find(schemes, address.scheme) == schemes.end())
-        return fail(Fault::OutOfRange,
+        return fail(Fault::Usage,
             say("unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known",
                 address.scheme));
     const std::string_view rest = text.substr(colon + 1);

@@ -189,6 +189,20 @@ class Restore(Saving):
                                 "WHERE change = id ORDER BY id DESC LIMIT 2").fetchall()
         self.assertEqual(rows, [("console", "restore", "slot1.d", 1, 32768, "equal"), ("console", "write", "slot1.p", 1, 16384, "equal")])
 
+    def test_one_that_is_interrupted_says_how_far_it_came(self):
+        path = self.saved(CIM, **{f"slot{slot}__{gain}": 0.25 for slot in (0, 1) for gain in "pidf"})
+        said = ""
+        for attempt in range(60):  # between two of eight writes, whenever that is
+            with subprocess.Popen([contract.PROGRAM, "restore", CIM, path], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as run:
+                self.assertIn("before restore", run.stderr.readline())
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    run.wait(timeout=0.01 * (attempt % 20))
+                run.send_signal(signal.SIGINT)
+                said = run.stderr.read()
+            if "interrupted" in said and "values are written" in said:
+                break
+        self.assertRegex(said, r"\d of 8 values are written, and the next one may be; 'motorbenchctl get' reads what is in force")
+
     def test_a_place_is_put_back_only_by_who_says_so(self):
         place = "sim:serial/supermodified:4"
         number = self.run_one("snapshot", place)["snapshot"]

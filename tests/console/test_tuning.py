@@ -228,6 +228,11 @@ class Owed(ContractTest):
         self.assertIn(remedy, self.run_here("info", CIM).out)
         self.assertIn(remedy, self.run_here("--json", "info", CIM).err)
 
+    def test_whoever_reads_drives_or_keeps_what_is_there_is_told_too(self):
+        for words in (["get", CIM, "slot0.p"], ["snapshot", CIM, "--name", "x"], ["report", CIM, "--out", os.path.join(self.folder.name, "r.html")],
+                      ["drive", CIM, "--mode", "velocity", "--target", "1000", "--for", "0.1"]):
+            self.assertIn("trial 1 did not put back what it changed", self.run_here(*words).err, words)
+
     def test_set_tells_it_before_it_writes_others_of_its_values(self):
         self.assertIn("trial 1 did not put back", self.run_here("set", CIM, "slot0.i=0.001").err)
         self.assertNotIn("put back", self.run_here("set", CIM, "slot0.p=1").err)

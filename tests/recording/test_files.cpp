@@ -300,6 +300,24 @@ TEST(Table, SaysInWhichLineWhatIsWrong)
     EXPECT_FALSE(loadRecording(folder.path.string()));
 }
 
+TEST(Table, OfALastLineThatWasCutShortTheRestIsThereAndItSaysThatItsEndIsMissing)
+{
+    const Folder folder;
+    for (const char *const text :
+        {"t,channel,value,unit\n0.1,a,5,V\n0.2,a,6,V\n0.3,a,", "time_s,a,b\n0,1,2\n1,2,3\n1,2,-"}) {
+        std::ofstream(folder.file("x.csv")) << text;
+        const auto loaded = loadRecording(folder.file("x.csv"));
+        ASSERT_TRUE(loaded) << loaded.error().text();
+        EXPECT_FALSE((*loaded)->complete) << text;
+        EXPECT_EQ((*loaded)->telemetry->size({0}), 2U + (text[1] == 'i' ? 1U : 0U)) << text;
+    }
+    std::ofstream(folder.file("x.csv")) << "time_s,a\n0,1\n1,2"; // of a spreadsheet
+    const auto whole = loadRecording(folder.file("x.csv"));
+    ASSERT_TRUE(whole) << whole.error().text();
+    EXPECT_TRUE((*whole)->complete);
+    EXPECT_EQ((*whole)->telemetry->size({0}), 2U);
+}
+
 TEST(Table, HasUpTo1000Columns)
 {
     const Folder folder;

@@ -64,6 +64,13 @@ TEST_F(UnixSocketPath, OneThatCannotBeHasFrom1To107Characters)
     }
 }
 
+TEST_F(UnixSocketPath, OneInAFolderThatIsNotThereIsNotServedAndNobodyIsToldToStartIt)
+{
+    const std::string nowhere = path + "/socket";
+    const Cause cause{nowhere + " cannot be made: No such file or directory; choose another path", Ailment::None};
+    EXPECT_EQ(causeOf(listenOnUnixSocket(nowhere)), cause);
+}
+
 TEST_F(UnixSocketPath, WhoeverServesItNoMoreIsNamedAndReplaced)
 {
     ::close(listenOnUnixSocket(path).value_or(-1));

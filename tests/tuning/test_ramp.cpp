@@ -269,7 +269,8 @@ TEST(FrictionRamp, FrictionThatLetsGoIsBreakawayAndTheFrictionOfThePushesStays)
             100.0 * report->plant.friction, 100.0 * truth, std::string(toString(report->result)).c_str(),
             report->seconds);
         EXPECT_NEAR(way.breakaway, 2.5 * truth, 0.15 * 2.5 * truth);
-        EXPECT_NEAR(report->plant.friction, truth, 0.15 * truth);
+        EXPECT_NEAR(report->plant.friction, truth, (propose ? 0.15 : 0.25) * truth)
+            << "its proof may have corrected it";
         EXPECT_LE(report->seconds, 60.0);
         const auto gate = rampGate(*report->motor);
         EXPECT_TRUE(gate && gate->warns && gate->passed);

@@ -113,6 +113,9 @@ Result<int> listenOnUnixSocket(const std::string &path)
     if (::bind(descriptor, generic(*address), sizeof(*address)) != 0 || ::listen(descriptor, 1) != 0) {
         const int error = errno;
         ::close(descriptor);
+        if (error == ENOENT)
+            return fail(
+                Fault::LinkLost, say("%1 cannot be made: %2", path, std::strerror(error)), say("choose another path"));
         return lost(error, path);
     }
     return descriptor;
