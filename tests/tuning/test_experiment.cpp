@@ -336,20 +336,6 @@ TEST(Experiment, GainsAreInForceWhileItRunsAndPutBackToTheBitAfterwards)
     EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "owe", "settle", "complete"}));
 }
 
-TEST(Experiment, WhatIsTriedBesideTheGainsOfItsLoopIsInTheTrialToo)
-{
-    ExperimentBench bench;
-    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
-    plan.gains = {bench.change("slot1.p", 0.25), bench.change("current_limit.enabled", 1.0)};
-    const auto trial = bench.run(plan);
-    expectDone(trial);
-    const std::map gains(trial->gains.begin(), trial->gains.end());
-    EXPECT_EQ(gains.size(), trial->gains.size()) << "each key once";
-    EXPECT_NEAR(gains.at("slot1.p").value_or(0.0), 0.25, 1e-4);
-    EXPECT_EQ(gains.at("current_limit.enabled"), 1.0);
-    EXPECT_TRUE(gains.contains("slot0.p"));
-}
-
 TEST(Experiment, KeptGainsAreOwedToNobody)
 {
     ExperimentBench bench;

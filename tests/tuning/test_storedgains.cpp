@@ -66,5 +66,19 @@ TEST(StoredGains, OfADriveWithAnotherMotorDoNotOvershoot)
     }
 }
 
+TEST(TrialGains, WhatIsTriedBesideTheGainsOfItsLoopIsInTheTrialToo)
+{
+    test::ExperimentBench bench;
+    ExperimentPlan plan = test::stepTo(Mode::Velocity, 60'000.0);
+    plan.gains = {bench.change("slot1.p", 0.25), bench.change("current_limit.enabled", 1.0)};
+    const auto trial = bench.run(plan);
+    ASSERT_TRUE(trial && trial->reason == EndReason::Done);
+    const std::map gains(trial->gains.begin(), trial->gains.end());
+    EXPECT_EQ(gains.size(), trial->gains.size()) << "each key once";
+    EXPECT_NEAR(gains.at("slot1.p").value_or(0.0), 0.25, 1e-4);
+    EXPECT_EQ(gains.at("current_limit.enabled"), 1.0);
+    EXPECT_TRUE(gains.contains("slot0.p"));
+}
+
 } // namespace
 } // namespace mb::tuning
