@@ -23,30 +23,11 @@ template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interru
     co_return co_await std::move(running).attempt();
 }
 
-/// What a job warns of, where nobody follows it otherwise.
-class Warnings final : public Progress {
-public:
-    explicit Warnings(std::function<void(const Message &)> warn)
-        : m_warn(std::move(warn))
-    {
-    }
-    void step(const Message &, int, int) override { }
-    void part(int, PartState) override { }
-    void log(Severity severity, const Message &text) override
-    {
-        if (severity != Severity::Info)
-            m_warn(text);
-    }
-
-private:
-    std::function<void(const Message &)> m_warn;
-};
-
 /// With a snapshot before it, and what it has replaced in the history.
 Task<tuning::TuneReport> tuneKept(Device &device, SetPointStream &stream, tuning::TunePlan plan,
     tuning::ExperimentSurroundings around, const ParameterJobs &parameters)
 {
-    Warnings warnings(around.warn);
+    ProgressLines warnings(around.warn);
     if (tuning::writesGains(device, plan))
         around.before = [&] { return parameters.keepBefore(device, settings::Occasion::Tuning, warnings); };
     auto story = tuning::autotune(device, stream, std::move(plan), std::move(around));

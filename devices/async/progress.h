@@ -4,7 +4,9 @@
 #include "async/message.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace mb {
 
@@ -30,11 +32,36 @@ public:
 };
 
 /// For callers that do not look.
-class NoProgress final : public Progress {
+class NoProgress : public Progress {
 public:
     void step(const Message &, int, int) override { }
     void part(int, PartState) override { }
     void log(Severity, const Message &) override { }
+};
+
+/// For callers to whom it is lines for people: what it warns of, and what it does now where they follow that.
+class ProgressLines final : public NoProgress {
+public:
+    using Tell = std::function<void(const Message &)>;
+    explicit ProgressLines(Tell warn, Tell tellStep = {})
+        : m_warn(std::move(warn))
+        , m_tellStep(std::move(tellStep))
+    {
+    }
+    void step(const Message &what, int, int) override
+    {
+        if (m_tellStep)
+            m_tellStep(what);
+    }
+    void log(Severity severity, const Message &text) override
+    {
+        if (severity != Severity::Info)
+            m_warn(text);
+    }
+
+private:
+    Tell m_warn;
+    Tell m_tellStep;
 };
 
 } // namespace mb

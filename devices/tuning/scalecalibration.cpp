@@ -19,25 +19,6 @@ constexpr std::string_view scaleKeyOfExperiments = "gain-scales";
 constexpr Duration longestSearch = std::chrono::seconds(240);
 constexpr Duration sampleTime = std::chrono::milliseconds(10);
 
-/// What it does now becomes a line for people.
-class NotingProgress final : public Progress {
-public:
-    explicit NotingProgress(const AutotuneRun &run)
-        : m_run(run)
-    {
-    }
-    void step(const Message &what, int, int) override { m_run.note(what); }
-    void part(int, PartState) override { }
-    void log(Severity severity, const Message &text) override
-    {
-        if (severity != Severity::Info)
-            m_run.note(text);
-    }
-
-private:
-    const AutotuneRun &m_run;
-};
-
 GuardPlan guardsOf(const AutotuneRun &run)
 {
     const TrialTraits &traits = *run.device().family().trials;
@@ -66,7 +47,8 @@ Task<void> search(AutotuneRun &run, const Experiment &experiment, const Experime
         known->add(device.selector(), options.axis, co_await std::move(checking));
     }
     recorder.guard(guardsOf(run));
-    NotingProgress progress(run);
+    const auto note = [&run](const Message &text) { run.note(text); };
+    ProgressLines progress(note, note);
     co_await experiment.run(device, run.stream(), options, progress);
     co_return {};
 }
