@@ -19088,5 +19088,13 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
+    <message>
+        <source>is told no more to stop after 10 minutes: the motor may still turn, cut its power</source>
+        <translation>bekommt nach 10 Minuten keinen Stopp mehr: der Motor läuft vielleicht noch, Strom abschalten</translation>
+    </message>
+    <message>
+        <source>no time was left to do the same again</source>
+        <translation>um dasselbe noch einmal zu tun, blieb keine Zeit</translation>
+    </message>
 </context>
 </TS>

@@ -19088,5 +19088,13 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>unknown</source>
         <translation>desconocido</translation>
     </message>
+    <message>
+        <source>is told no more to stop after 10 minutes: the motor may still turn, cut its power</source>
+        <translation>tras 10 minutos ya no se le ordena parar: el motor podría seguir girando, corte su alimentación</translation>
+    </message>
+    <message>
+        <source>no time was left to do the same again</source>
+        <translation>no quedó tiempo para repetir lo mismo</translation>
+    </message>
 </context>
 </TS>

@@ -19088,5 +19088,13 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>unknown</source>
         <translation>inconnu</translation>
     </message>
+    <message>
+        <source>is told no more to stop after 10 minutes: the motor may still turn, cut its power</source>
+        <translation>ne reçoit plus d’arrêt après 10 minutes&#xa0;: le moteur tourne peut-être encore, coupez son alimentation</translation>
+    </message>
+    <message>
+        <source>no time was left to do the same again</source>
+        <translation>il ne restait pas de temps pour refaire la même chose</translation>
+    </message>
 </context>
 </TS>

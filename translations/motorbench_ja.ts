@@ -19071,5 +19071,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>unknown</source>
         <translation>不明</translation>
     </message>
+    <message>
+        <source>is told no more to stop after 10 minutes: the motor may still turn, cut its power</source>
+        <translation>10 分を過ぎたため停止指令の送信を終えました: モーターがまだ回転している可能性があります。電源を切ってください</translation>
+    </message>
+    <message>
+        <source>no time was left to do the same again</source>
+        <translation>同じことをやり直す時間は残っていませんでした</translation>
+    </message>
 </context>
 </TS>

@@ -19071,5 +19071,13 @@ double click plots it, drag it to a pane or below them</source>
         <source>unknown</source>
         <translation>未知</translation>
     </message>
+    <message>
+        <source>is told no more to stop after 10 minutes: the motor may still turn, cut its power</source>
+        <translation>10 分钟后不再向其发送停止指令：电机可能仍在转动，请切断其电源</translation>
+    </message>
+    <message>
+        <source>no time was left to do the same again</source>
+        <translation>没有剩余时间再做一次</translation>
+    </message>
 </context>
 </TS>

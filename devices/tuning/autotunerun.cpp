@@ -4,6 +4,7 @@
 #include "experiment/direction.h"
 #include "experiment/envelope.h"
 #include "experiment/figures.h"
+#include "experiment/motiontimes.h"
 #include "experiment/seconds.h"
 #include "model/family.h"
 #include "tuning/proof.h"
@@ -93,8 +94,8 @@ Result<void> AutotuneRun::judgeEnding(const Trial &trial)
 }
 
 /// A wire that loses a frame now and then ends an experiment by its guard now and then. That has stopped the motor; the same is tried
-/// again, from where it stands, while the unit is heard; once where it was to be done twice, for the minute is short.
-Task<Trial> AutotuneRun::run(ExperimentPlan plan)
+/// again, from where it stands, while the unit is heard and the minute has room for it; once where it was to be done twice.
+Task<Trial> AutotuneRun::run(ExperimentPlan plan, double followed)
 {
     for (int again = 0;; ++again) {
         const double before = m_here;
@@ -102,10 +103,14 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
         const bool lossy = trial.reason == EndReason::Link && m_report.stopped && m_device.liveness().heard;
         if (!lossy || again == mostRepeats)
             co_return trial;
-        note(say("the wire lost too many frames; the same again"));
-        forgive();
         const int fewest = plan.mode == Mode::Current ? currentRepeats(0.0, 1.0) : 1; // fewer do not tell it from noise
         plan.repeat = std::max(plan.repeat / 2, std::min(plan.repeat, fewest));
+        if (left() < longestSeconds(plan.seconds.value_or(0.0), plan.repeat) + followed) {
+            m_report.evidence = joined(m_report.evidence, say("no time was left to do the same again"));
+            co_return trial;
+        }
+        note(say("the wire lost too many frames; the same again"));
+        forgive();
         if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
             plan.to += m_here - before;
     }

@@ -31,8 +31,9 @@ public:
         bool grows = false; ///< from nothing to its duty, slowly, and at once back
     };
 
-    /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.
-    [[nodiscard]] Task<Trial> run(ExperimentPlan plan);
+    /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning. `followed`: s that
+    /// what is done next takes at least.
+    [[nodiscard]] Task<Trial> run(ExperimentPlan plan, double followed = 0.0);
     [[nodiscard]] Task<Trial> push(Push push);
     /// Limits of the plan and of the device together, from where the motor stands.
     [[nodiscard]] Task<void> readEnvelope();

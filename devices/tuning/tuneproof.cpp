@@ -224,7 +224,7 @@ Task<void> TuneProof::prove()
     report.heat = m_heat;
     sumOver(*report.predicted, m_run.plan().loop, m_run.report().step, hold());
     for (const double sign : {1.0, -1.0}) {
-        auto running = m_run.run(planOf(sign));
+        auto running = m_run.run(planOf(sign), sign > 0.0 ? leastSeconds() / 2.0 : 0.0);
         report.proof.push_back(co_await std::move(running));
         m_heat = heatAfter(
             {report.proposed.made, report.predicted->shape, {report.proof.back()}, 0.0, false, m_heat}, report.plant);

@@ -7,6 +7,7 @@
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
+#include "tuning/autotunerun.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,12 @@ struct Lossy {
     bool sameGains = false;
 };
 
+std::ptrdiff_t triedAgain(const ExperimentBench &bench)
+{
+    return std::ranges::count_if(
+        bench.notes, [](const std::string &note) { return note.find("the same again") != std::string::npos; });
+}
+
 /// A wire that always loses this share of its frames, and at `worst` a third of them for half a second.
 Lossy tuneWithLoss(double share, std::optional<Duration> worst = std::nullopt)
 {
@@ -76,9 +83,7 @@ Lossy tuneWithLoss(double share, std::optional<Duration> worst = std::nullopt)
     const auto before = rawOf(bench, "slot0.p");
     const auto report = tune(bench, planOf(Mode::Velocity));
     EXPECT_TRUE(report) << report.error().text();
-    const auto again = std::count_if(bench.notes.begin(), bench.notes.end(),
-        [](const std::string &note) { return note.find("the same again") != std::string::npos; });
-    return {report->result, report->stopReason, again, report->stopped, rawOf(bench, "slot0.p") == before};
+    return {report->result, report->stopReason, triedAgain(bench), report->stopped, rawOf(bench, "slot0.p") == before};
 }
 
 TEST(Autotune, AWireThatLosesNowAndThenIsTriedAgain)
@@ -99,6 +104,31 @@ TEST(Autotune, AWireThatLosesAllTheTimeStopsIt)
     EXPECT_EQ(lossy.again, 4);
     EXPECT_TRUE(lossy.stopped);
     EXPECT_TRUE(lossy.sameGains);
+}
+
+TEST(Autotune, NothingIsTriedAgainThatTheMinuteHasNoRoomFor)
+{
+    struct Row {
+        Duration gone;
+        double followed;
+        std::ptrdiff_t again;
+    };
+    for (const Row &row : {Row{0s, 0.0, 4}, {53s, 0.0, 0}, {40s, 20.0, 0}}) {
+        ExperimentBench bench("sim:can", "dmc60c", 7);
+        AutotuneRun tuning(
+            *bench.device, bench.bench.session.stream(*bench.device), planOf(Mode::Velocity), bench.surroundings);
+        bench.bench.clock.advance(row.gone);
+        bench.bench.session.bench(*bench.bench.link)->setLoss(0.15);
+        ExperimentPlan plan = test::stepTo(Mode::Velocity, 60'000);
+        plan.seconds = 3.0;
+        plan.repeat = 2;
+        const auto trial = test::run(bench.bench.clock, tuning.run(plan, row.followed));
+        ASSERT_TRUE(trial) << trial.error().text();
+        EXPECT_EQ(tuning.report().stopReason, EndReason::Link);
+        EXPECT_EQ(triedAgain(bench), row.again);
+        const std::string evidence = tuning.report().evidence.english();
+        EXPECT_EQ(evidence.ends_with("no time was left to do the same again"), row.again == 0) << evidence;
+    }
 }
 
 TEST(Autotune, LeavesTheSlotItProvedInAsItWas)
