@@ -125,8 +125,9 @@ void Motion::followStop(Device &device)
                 "power"));
         break;
     case StopState::Unconfirmed:
-        m_context.log.tell(
-            Severity::Danger, device, say("was not seen to stop: the motor may still turn, cut its power"));
+        m_context.log.tell(Severity::Danger, device,
+            stop.isDue() ? say("was not seen to stop: the motor may still turn, cut its power")
+                         : say("is told no more to stop after 10 minutes: the motor may still turn, cut its power"));
         break;
     case StopState::ByWatchdog:
         m_context.log.tell(

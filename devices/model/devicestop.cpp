@@ -3,6 +3,8 @@
 
 #include "model/stoppable.h"
 
+#include <utility>
+
 namespace mb {
 namespace {
 
@@ -28,6 +30,12 @@ bool DeviceStop::mayTurn() const
     return m_forMotion && (m_state == StopState::Owed || m_state == StopState::Unconfirmed);
 }
 
+bool DeviceStop::mayStillTurn() const
+{
+    const bool isTold = m_state != StopState::None;
+    return (m_moved || mayTurn()) && (!isTold || isStillOwed(m_toldAt, m_device.clock().now()));
+}
+
 bool DeviceStop::isDue() const
 {
     return m_state == StopState::Stopping || m_state == StopState::Owed
@@ -46,6 +54,7 @@ void DeviceStop::told()
 {
     m_forMotion = m_forMotion || m_moved || m_device.liveness().moving;
     m_toldAt = m_sentAt = m_device.clock().now();
+    m_isGivenUp = false;
     const bool cut = m_device.link().state() != LinkState::Open && !m_device.hasWatchdog();
     m_look.startIn(confirmEvery, [this] { look(); });
     enter(cut ? StopState::Owed : StopState::Stopping);
@@ -59,6 +68,7 @@ void DeviceStop::inherit(Instant since)
         return;
     }
     m_toldAt = since;
+    m_isGivenUp = true;
     m_look.startIn(confirmEvery, [this] { look(); });
     enter(StopState::Unconfirmed);
 }
@@ -94,9 +104,10 @@ void DeviceStop::lookAtCutLine()
 {
     const Instant now = m_device.clock().now();
     m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
-    if (!m_device.hasWatchdog())
-        enter(isStillOwed(m_toldAt, now) ? StopState::Owed : StopState::Unconfirmed);
-    else if (now - m_toldAt >= m_device.watchdogLimit())
+    if (!m_device.hasWatchdog()) {
+        m_isGivenUp = !isStillOwed(m_toldAt, now);
+        enter(m_isGivenUp ? StopState::Unconfirmed : StopState::Owed);
+    } else if (now - m_toldAt >= m_device.watchdogLimit())
         enter(StopState::ByWatchdog);
 }
 
@@ -112,6 +123,8 @@ void DeviceStop::lookAtOpenLine()
         }
         enter(!heard && m_device.hasWatchdog() ? StopState::ByWatchdog : StopState::Unconfirmed);
     }
+    if (m_state == StopState::Unconfirmed && !isDue() && !std::exchange(m_isGivenUp, true))
+        m_changed.notify();
     const Duration pause = m_state == StopState::Stopping ? stopAgain : stopRarely;
     if (isDue() && now - m_sentAt >= pause && m_device.mayStop()) {
         m_sentAt = now;

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] bool isForMotion() const { return m_forMotion; }
     /// Somebody must look at the motor, or cut its power: nobody has seen it stand, and nothing of its own stops it.
     [[nodiscard]] bool mayTurn() const;
+    /// The same of any motion of this program, for as long as a stop is owed: nobody can see one stand that went mute.
+    [[nodiscard]] bool mayStillTurn() const;
     /// The device is still to be told: on a link that comes back, before anything else.
     [[nodiscard]] bool isDue() const;
     /// When it was last told by somebody, not by a repetition: a debt counts from then.
@@ -72,6 +74,7 @@ private:
     StopState m_state = StopState::None;
     bool m_moved = false;
     bool m_forMotion = false;
+    bool m_isGivenUp = false; ///< it was told for debtLimit
     Instant m_toldAt{};
     Instant m_sentAt{};
     Timer m_look;

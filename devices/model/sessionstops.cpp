@@ -50,7 +50,7 @@ bool SessionStops::mayTurn(const Link &link, const DeviceSelector &selector) con
     const std::vector<Device *> found = m_devices.on(link);
     return m_owed.isOwed(link.line(), selector.text()) || std::ranges::any_of(found, [&selector](Device *device) {
         return device->family().key == selector.family && device->identity().address == selector.address
-            && (device->stopping().hasMoved() || device->stopping().mayTurn());
+            && device->stopping().mayStillTurn();
     });
 }
 

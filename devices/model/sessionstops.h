@@ -24,7 +24,7 @@ public:
     void leave(const Link &link) { m_owed.leave(link); }
     /// To motors of which no device of the session shows what became of them.
     [[nodiscard]] std::vector<OwedStop> owed() const { return m_owed.unseen(); }
-    /// This unit was driven, by whomever, and nobody has seen it stand since.
+    /// This unit was driven, by whomever, and nobody has seen it stand since; for as long as a stop is owed after it was told.
     [[nodiscard]] bool mayTurn(const Link &link, const DeviceSelector &selector) const;
     /// The user has looked at the motors: nothing is owed any more.
     void dismiss();

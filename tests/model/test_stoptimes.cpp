@@ -196,12 +196,32 @@ TEST_F(StopTimes, AnUnconfirmedStopIsDueForTenMinutesAfterItWasTold)
     clock.advance(DeviceStop::debtLimit - 1ns);
     EXPECT_EQ(motor.stopping.state(), StopState::Unconfirmed);
     EXPECT_TRUE(motor.stopping.isDue());
+    EXPECT_TRUE(motor.stopping.mayStillTurn());
     clock.advance(1ns);
     EXPECT_FALSE(motor.stopping.isDue());
     EXPECT_TRUE(motor.stopping.mayTurn()) << "nobody has seen it stand";
+    EXPECT_FALSE(motor.stopping.mayStillTurn());
     motor.repeats.clear();
     clock.advance(1h);
     EXPECT_TRUE(motor.repeats.empty());
+    EXPECT_EQ(motor.states,
+        (States{{0, StopState::Stopping}, {10000, StopState::Unconfirmed}, {600000, StopState::Unconfirmed}}))
+        << "once more, for it is told no more";
+}
+
+TEST_F(StopTimes, AMotionThatNobodyEndedMayGoOnHoweverLongAndOneOfAMuteUnitForTenMinutes)
+{
+    Told &motor = make(false, false, true);
+    motor.stopping.driven();
+    clock.advance(1h);
+    EXPECT_TRUE(motor.stopping.mayStillTurn());
+    for (const bool watchdog : {false, true}) {
+        const Told &mute = make(watchdog, false, true);
+        clock.advance(DeviceStop::debtLimit - 1ns);
+        EXPECT_TRUE(mute.stopping.mayStillTurn());
+        clock.advance(1ns);
+        EXPECT_FALSE(mute.stopping.mayStillTurn());
+    }
 }
 
 TEST_F(StopTimes, AStopThatMayStartAMotorIsNotRepeated)
