@@ -45,6 +45,14 @@ bool widensLimit(const Parameter &parameter, const StagedChange &change)
     return std::abs(change.to) > std::abs(*change.from);
 }
 
+std::int64_t tightestOf(const Parameter &limit)
+{
+    if (isSwitch(limit))
+        return limit.inverted ? 0 : 1;
+    const std::int64_t least = toRaw(limit, limit.minimum).value_or(0);
+    return isNoLimit(limit, least) ? 1 : least;
+}
+
 int writeRank(const Parameter &parameter, const StagedChange &change)
 {
     if (parameter.nature == Nature::Live)

@@ -34,6 +34,9 @@ struct StagedChange {
 /// The change makes a limit wider, or switches it off; false where it is not known what was in force.
 [[nodiscard]] bool widensLimit(const Parameter &parameter, const StagedChange &change);
 
+/// Of a limit that is no place, raw: what lets its motor do least.
+[[nodiscard]] std::int64_t tightestOf(const Parameter &limit);
+
 /// By rank, then in table order.
 void sortForWriting(std::span<const Parameter> table, std::vector<StagedChange> &changes);
 

@@ -20,13 +20,18 @@ bool isAddress(const Parameter &parameter)
     return parameter.afterRestart && !isLimit(parameter);
 }
 
-bool needsSomebody(const Family &family, const ValueChange &value)
+/// What it goes back to; nothing where nobody has to keep it.
+std::optional<std::int64_t> goesBackTo(const Family &family, const ValueChange &value)
 {
     const auto index = findParameter(family.parameters, value.key);
-    if (!index || !value.before || *value.before == value.after || value.proof == Proof::Refused)
-        return false;
+    if (!index || value.proof == Proof::Refused)
+        return std::nullopt;
     const Parameter &parameter = family.parameters[index->value];
-    return isAddress(parameter) || widensLimit(parameter, {*index, value.before, value.after});
+    const bool isUntold = !value.before && isLimit(parameter) && parameter.access == Access::WriteOnly;
+    const auto before = isUntold ? tightestOf(parameter) : value.before;
+    const bool isAsked = before && *before != value.after
+        && (isAddress(parameter) || widensLimit(parameter, {*index, before, value.after}));
+    return isAsked ? before : std::nullopt;
 }
 
 /// Moves the change that `by` is about, if it is where an undo or redo finds it.
@@ -114,21 +119,19 @@ HistoryView viewOf(const Family &family, std::span<const SettingsChange> changes
     return view;
 }
 
+bool mayHaveToConfirm(const Parameter &parameter)
+{
+    return isAddress(parameter) || isLimit(parameter);
+}
+
 std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values)
 {
     std::vector<ValueChange> wanted;
-    std::copy_if(values.begin(), values.end(), std::back_inserter(wanted),
-        [&family](const ValueChange &value) { return needsSomebody(family, value); });
+    for (const ValueChange &value : values) {
+        if (const auto before = goesBackTo(family, value))
+            wanted.push_back({value.key, before, value.after, value.proof});
+    }
     return wanted;
-}
-
-bool mayHaveToConfirm(const Family &family, std::span<const ValueChange> values)
-{
-    return std::ranges::any_of(values, [&family](const ValueChange &value) {
-        const auto index = findParameter(family.parameters, value.key);
-        return index && !value.before
-            && (isAddress(family.parameters[index->value]) || isLimit(family.parameters[index->value]));
-    });
 }
 
 Message textOf(const Family &family, const SettingsChange &change)

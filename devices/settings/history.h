@@ -9,7 +9,8 @@
 
 namespace mb {
 struct Family;
-}
+struct Parameter;
+} // namespace mb
 
 namespace mb::settings {
 
@@ -30,11 +31,11 @@ struct HistoryView {
 /// Those values of a change that were or may have been written, whose value before is known, and that undoing would change.
 [[nodiscard]] std::vector<ValueChange> undoable(const Family &family, const SettingsChange &change);
 
-/// Those of the values that can cut a unit off (its number on the bus, its bit rate) or make a motor livelier than before (a
-/// limit that became wider, or was switched off), were not refused, and were known before: what became safer stays.
+/// Its values can cut a unit off (its number on the bus, its bit rate), or make a motor livelier (a limit).
+[[nodiscard]] bool mayHaveToConfirm(const Parameter &parameter);
+/// Those of the values that can do so and were not refused, each with what it goes back to as `before`: of a limit that became wider, or
+/// was switched off, what was there; of one that nobody can read and nobody knew the tightest. What became safer stays.
 [[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
-/// A limit or an address is among them of which nobody knows what it was.
-[[nodiscard]] bool mayHaveToConfirm(const Family &family, std::span<const ValueChange> values);
 
 /// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people; empty where the unit took nothing of it.
 [[nodiscard]] Message textOf(const Family &family, const SettingsChange &change);

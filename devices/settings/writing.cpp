@@ -33,16 +33,23 @@ std::optional<std::int64_t> knownOf(const Device &device, ParameterIndex index)
     return entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
 }
 
-/// Asked afresh: another program may have written since. In the order in which they will be written.
-Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<ParameterChange> changes)
+/// Asked afresh: another program may have written since. In the order in which they will be written. Where `asks`, fails with the cause
+/// if somebody might have to keep one that did not answer: nobody knew what it goes back to.
+Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<ParameterChange> changes, bool asks)
 {
+    std::optional<Error> cause;
     bool silent = false;
     for (const ParameterChange &change : changes) {
         const Parameter &parameter = device.parameters().parameter(change.index);
-        if (parameter.access != Access::WriteOnly && !silent) {
+        if (parameter.access == Access::WriteOnly)
+            continue;
+        if (!silent) {
             const Result<std::int64_t> raw = co_await device.read(change.index).attempt();
-            silent = !raw && (raw.error().fault == Fault::Timeout || raw.error().fault == Fault::LinkLost);
+            cause = raw ? std::nullopt : std::optional(raw.error());
+            silent = cause && (cause->fault == Fault::Timeout || cause->fault == Fault::LinkLost);
         }
+        if (cause && asks && mayHaveToConfirm(parameter))
+            co_return fail(*cause);
     }
     arrangeForWriting(device.family(), device.parameters(), changes);
     std::vector<ValueChange> values;
@@ -100,8 +107,7 @@ Task<std::optional<std::int64_t>> beginKept(
 {
     if (!log || change.values.empty())
         co_return std::nullopt;
-    const bool asks = asksToBeKept(change.purpose)
-        && (mayHaveToConfirm(family, change.values) || !toConfirm(family, change.values).empty());
+    const bool asks = asksToBeKept(change.purpose) && !toConfirm(family, change.values).empty();
     const Result<std::int64_t> begun = co_await log->begin(std::move(change)).attempt();
     if (begun)
         co_return *begun;
@@ -167,11 +173,12 @@ Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress)
 {
     SettingsChange change = changeOf(device, order);
-    if (log && !changes.empty()) {
-        change.values = co_await valuesBefore(device, changes);
-    }
     const bool isOrdered = order.purpose == Purpose::Write || order.purpose == Purpose::Restore;
-    if (isOrdered && order.origin == Origin::Window && !toConfirm(device.family(), change.values).empty())
+    const bool asks = asksToBeKept(order.purpose) || (isOrdered && order.origin == Origin::Window);
+    if (log && !changes.empty()) {
+        change.values = co_await valuesBefore(device, changes, asks);
+    }
+    if (isOrdered && asks && !toConfirm(device.family(), change.values).empty())
         change.purpose = Purpose::Provisional;
     const std::optional<std::int64_t> number = co_await beginKept(device.family(), log, change, progress);
     std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);

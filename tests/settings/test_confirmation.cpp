@@ -259,6 +259,51 @@ TEST_F(Confirmations, OnlyALaterValueThatWasSeenReplacesOne)
     }
 }
 
+TEST_F(Confirmations, AreNotAskedOfALimitThatNobodyCouldReadBeforeForItIsNotWritten)
+{
+    Device &five = *bench.device(5);
+    bench.simulator("dmc60c:5")->setPowered(false);
+    for (const std::vector<ParameterChange> &changes : {std::vector{change(five, "current_limit.peak", 20 * amperes)},
+             {change(five, "slot0.p", amperes), change(five, "current_limit.peak", 20 * amperes)}}) {
+        const auto outcomes = write(five, changes);
+        ASSERT_FALSE(outcomes);
+        EXPECT_EQ(outcomes.error().fault, Fault::Timeout);
+    }
+    EXPECT_TRUE(all(five).empty());
+    EXPECT_TRUE(write(five, {change(five, "slot0.p", amperes)})) << "nobody has to keep a gain";
+}
+
+class BoardConfirmations : public Confirmations {
+protected:
+    BoardConfirmations()
+        : Confirmations("sim:spi")
+    {
+    }
+};
+
+TEST_F(BoardConfirmations, ALimitThatNobodyKnewCountsAsWiderAndGoesToItsTightest)
+{
+    Device &board = *bench.device(0, "quadquad2drv");
+    const std::vector<std::pair<std::string, std::int64_t>> tightest{
+        {"ch1.limit.power", 0}, {"ch1.limit.velocity", 0}, {"ch1.limit.acceleration", 1}};
+    std::vector<ParameterChange> changes;
+    for (const auto &[key, least] : tightest)
+        changes.push_back(change(board, key, 2000));
+    const SettingsChange first = provisional(board, changes);
+    EXPECT_EQ(first.purpose, Purpose::Provisional);
+    Confirmation confirmation = confirmationOf(board, first);
+    EXPECT_EQ(pass(confirmation, board, 31s), 1);
+    ASSERT_TRUE(run(settings::putBack(board, first.number, *book, progress)));
+    for (const auto &[key, least] : tightest)
+        EXPECT_EQ(board.parameters().entry(bench.index(board, key)).raw, least) << key;
+    EXPECT_TRUE(run(settings::findUnconfirmed(board, *book))->empty());
+
+    const SettingsChange second = provisional(board, {change(board, "ch2.limit.power", 4000)});
+    ASSERT_TRUE(run(settings::keepChange(board, second.number, *book)));
+    EXPECT_EQ(provisional(board, {change(board, "ch2.limit.power", 2000)}).purpose, Purpose::Write) << "that is safer";
+    EXPECT_EQ(provisional(board, {change(board, "ch3.limit.power", 0)}).purpose, Purpose::Write) << "nothing is safer";
+}
+
 class SerialConfirmations : public Confirmations {
 protected:
     SerialConfirmations()
