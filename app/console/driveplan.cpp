@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 
 namespace mb::console {
@@ -80,9 +79,9 @@ Result<SetPoint> parseSetPoint(const Family &family, const DriveArguments &a)
             unitOf(mode).empty() ? say("give it in the unit of the mode") : say("give it in %1", unitOf(mode)));
     SetPoint setPoint;
     MB_TRY_VOID(readNumbers(setPoint, a));
-    if (unitOf(mode) == "counts" && setPoint.target != std::floor(setPoint.target))
-        return fail(Fault::OutOfRange, say("%1: %2 is not a whole number", "--target", a.target),
-            say("a position is so many counts"));
+    if (!a.target.empty()) {
+        MB_TRY_VOID(parseModeNumber("--target", a.target, mode, -huge, huge));
+    }
     if (mode == Mode::Off && setPoint.target != 0.0)
         return fail(
             Fault::Usage, say("--mode off has no target"), say("leave --target out, or name the mode that is meant"));

@@ -84,15 +84,16 @@ Result<Profile> parseProfile(const std::string &text)
 
 Result<void> parseNumbers(const Family &family, const StepArguments &a, ExperimentPlan &plan)
 {
-    const auto to = parseNumber("--to", a.to, -anyNumber, anyNumber);
-    const auto from = optional("--from", a.from, -anyNumber, anyNumber);
+    const auto to = parseModeNumber("--to", a.to, plan.mode, -anyNumber, anyNumber);
+    const auto from = a.from.empty() ? Result<double>(0.0) // not taken
+                                     : parseModeNumber("--from", a.from, plan.mode, -anyNumber, anyNumber);
     const auto seconds = optional("--time", a.seconds, 0.001, longestTime);
     const auto repeat = a.repeat.empty() ? Result<int>(1) : parseInteger("--repeat", a.repeat, 1, mostRepeats);
     const auto where = a.where.parse(family);
-    for (const Result<std::optional<double>> *number : {&from, &seconds}) {
-        if (!*number)
-            return fail(number->error());
-    }
+    if (!from)
+        return fail(from.error());
+    if (!seconds)
+        return fail(seconds.error());
     if (!repeat)
         return fail(repeat.error());
     if (!where)
@@ -100,7 +101,8 @@ Result<void> parseNumbers(const Family &family, const StepArguments &a, Experime
     if (!to)
         return fail(to.error());
     plan.to = *to;
-    plan.from = *from;
+    if (!a.from.empty())
+        plan.from = *from;
     plan.seconds = *seconds;
     plan.limits = where->limits;
     plan.repeat = *repeat;

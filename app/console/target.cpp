@@ -244,6 +244,15 @@ Result<int> parseInteger(std::string_view name, const std::string &text, int low
     MB_TRY(const auto number, parseAs(say("legal is %1 … %2", low, high), name, text, low, high));
     if (number != std::floor(number))
         return fail(
+Result<double> parseModeNumber(std::string_view name, const std::string &text, Mode mode, double low, double high)
+{
+    MB_TRY(const auto number, parseNumber(name, text, low, high));
+    if (unitOf(mode) == "counts" && number != std::floor(number))
+        return fail(
+            Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("a position is so many counts"));
+    return number;
+}
+
             Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("legal is %1 … %2", low, high));
     return static_cast<int>(number);
 }

@@ -50,6 +50,9 @@ void noteRemark(Console &console, Link &link);
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
 [[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);
 /// Of one that may be left out.
+/// The same as a target in the unit of this mode: a position is so many counts.
+[[nodiscard]] Result<double> parseModeNumber(
+    std::string_view name, const std::string &text, Mode mode, double low, double high);
 [[nodiscard]] Result<int> integerOr(int usual, std::string_view name, const std::string &text, int low, int high);
 /// Of --for: nothing when it is not given.
 [[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);

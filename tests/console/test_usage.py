@@ -132,6 +132,8 @@ class Usage(ContractTest):
         drive("--mode", "duty", "--target", "0.1", "--for", "0")
         for device in ("sim:can/dmc60c:60", "sim:can/abstractdc:40", "sim:serial/supermodified:9", "sim:spi/quadquad2drv:0"):
             self.assert_error(2, "drive", device, "--mode", "position", "--target", "0.5", "--for", "1", says="not a whole number")
+            for wrong in (("--to", "0.5"), ("--to", "100", "--from", "-0.5")):
+                self.assert_error(2, "step", device, "--mode", "position", *wrong, says="not a whole number")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--axis", "2")
         drive("--mode", "velocity", "--target", "1", "--for", "1", "--slot", "2")
         drive("--mode", "duty", "--target", "0.1", "--for", "1", "--brake", "--coast")
