@@ -41,10 +41,13 @@ Error inWordsOfTheConsole(Error error)
     return error;
 }
 
-Task<int> performOnDevice(Stage &stage, Target target, const Performance &performance)
+Task<int> performOnDevice(Console &console, Stage &stage, Target target, const Performance &performance)
 {
     Device *const device = co_await stage.find(std::move(target));
-    co_return co_await performance(stage.session(), *device).attempt();
+    const Result<int> performed = co_await performance(stage.session(), *device).attempt();
+    if (device->liveness().restarted) // more than the experiment knows of
+        noteLost(console, *device);
+    co_return performed;
 }
 
 } // namespace
@@ -53,7 +56,7 @@ Task<int> performOn(Console &console, Target target, Performance performance)
 {
     const Subscription patient = console.interrupted().add([] {});
     Stage stage(console, target.selector.link);
-    const Result<int> performed = co_await performOnDevice(stage, std::move(target), performance).attempt();
+    const Result<int> performed = co_await performOnDevice(console, stage, std::move(target), performance).attempt();
     co_await Sleep(console.clock(), Duration::zero()); // a session is never ended from inside its own work
     if (!performed)
         co_return fail(inWordsOfTheConsole(performed.error()));

@@ -100,16 +100,21 @@ Task<void> noteReset(Console &console, Device &device)
         co_return {};
     if (!device.family().capabilities.keepsSettings)
         co_await device.refresh();
+    noteLost(console, device);
+    co_return {};
+}
+
+} // namespace
+
+void noteLost(Console &console, const Device &device)
+{
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.knowledge().profile());
     if (!lost.empty())
         console.note(device.selector()
             + (device.family().capabilities.keepsSettings ? " may have been reset: " : " was reset: ")
             + std::to_string(lost.size()) + " settings that were written to it are unknown; write them again with '"
             + rewritingCommand(device, lost) + "'");
-    co_return {};
 }
-
-} // namespace
 
 namespace {
 
@@ -239,11 +244,6 @@ Result<double> parseNumber(std::string_view name, const std::string &text, doubl
     return parseAs(say("write it with a dot, like 2.5"), name, text, low, high);
 }
 
-Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
-{
-    MB_TRY(const auto number, parseAs(say("legal is %1 … %2", low, high), name, text, low, high));
-    if (number != std::floor(number))
-        return fail(
 Result<double> parseModeNumber(std::string_view name, const std::string &text, Mode mode, double low, double high)
 {
     MB_TRY(const auto number, parseNumber(name, text, low, high));
@@ -253,6 +253,11 @@ Result<double> parseModeNumber(std::string_view name, const std::string &text, M
     return number;
 }
 
+Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
+{
+    MB_TRY(const auto number, parseAs(say("legal is %1 … %2", low, high), name, text, low, high));
+    if (number != std::floor(number))
+        return fail(
             Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("legal is %1 … %2", low, high));
     return static_cast<int>(number);
 }

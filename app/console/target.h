@@ -36,6 +36,8 @@ struct Target {
 
 /// Says what of a recording is left out, or may not be whole.
 void noteRemark(Console &console, Link &link);
+/// Says what a reset took of what was written to it, and how to write it again.
+void noteLost(Console &console, const Device &device);
 /// A row of `scan`; `name`: UnitNames.
 [[nodiscard]] QJsonObject scanRow(const Device &device, const std::string &name);
 
@@ -48,11 +50,11 @@ void noteRemark(Console &console, Link &link);
 [[nodiscard]] Result<void> checkName(std::string_view name, const std::string &text);
 /// A finite number inside [low, high]; OutOfRange names the argument.
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
-[[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);
-/// Of one that may be left out.
 /// The same as a target in the unit of this mode: a position is so many counts.
 [[nodiscard]] Result<double> parseModeNumber(
     std::string_view name, const std::string &text, Mode mode, double low, double high);
+[[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);
+/// Of one that may be left out.
 [[nodiscard]] Result<int> integerOr(int usual, std::string_view name, const std::string &text, int low, int high);
 /// Of --for: nothing when it is not given.
 [[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);

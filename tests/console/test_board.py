@@ -51,6 +51,13 @@ class BoardTest(ContractTest):
             moved = [row for row in self.run_json("watch", self.device, "--channel", f"ch{axis}.position", "--for", "1")[:-1]]
             self.assertGreater(abs(moved[-1]["value"]), 10, axis)
 
+    def test_a_reset_in_an_experiment_names_what_it_took_of_the_other_loops_too(self):
+        self.simulate(",fault=reset@5")
+        self.run_one("set", self.device, "ch1.position.p=250", "ch1.position.d=300")
+        run = contract.Run(["--json", "step", self.device, "--mode", "duty", "--to", "0.2", "--time", "12", "--travel", "1000000", "--duty", "1"])
+        self.assertIn(run.status, (4, 5), run.err)  # it is silent while it begins
+        self.assertIn("was reset: 2 settings that were written to it are unknown; write them again with 'motorbenchctl restore", run.err)
+
     def test_watch_streams_up_to_500_times_a_second(self):
         self.simulate()
         rows = self.run_json("watch", self.device, "--channel", "ch1.position", "--rate", "500", "--for", "2")
