@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/links.h"
 
+#include "model/framepermit.h"
+#include "transport/canlink.h"
+
 #include <algorithm>
 
 namespace mb {
@@ -252,12 +255,19 @@ void Links::describe(Snapshot &shot) const
 
 void Links::carryOut(const orders::SendFrame &order, const Finished &finished)
 {
-    for (Link *open : m_context.session.links()) {
+    Session &session = m_context.session;
+    for (Link *open : session.links()) {
         if (open->address().text() != order.link || open->kind() != LinkKind::Can)
             continue;
         if (m_context.operations.isLent(*open))
             return finished(fail(Fault::Unsafe, say("units are served on this link")));
-        return finished(static_cast<CanLink *>(open)->send(order.frame));
+        Snapshot shot;
+        shot.links.push_back(viewOf(*open, session.clockOf(*open)));
+        for (Device *device : session.devices())
+            shot.devices.push_back(viewOf(session, *device));
+        const FramePermit permit = permitFor(order.frame, order.link, shot, session.families(),
+            [&order](DeviceId device) { return order.armed == device; });
+        return finished(permit.refusal ? fail(*permit.refusal) : static_cast<CanLink *>(open)->send(order.frame));
     }
     finished(fail(Fault::LinkLost, say("the link is not open")));
 }

@@ -2,6 +2,7 @@
 // Parts of the engine by themselves, without EngineCore: each needs a session, a log and the operations.
 #include "app/engine/devicejobs.h"
 #include "app/engine/firmwareupdates.h"
+#include "app/engine/links.h"
 #include "app/engine/rates.h"
 #include "app/engine/scans.h"
 #include "app/engine/snapshotpublisher.h"
@@ -74,6 +75,28 @@ protected:
     DeviceJobs jobs{context, parameters};
     Link *link = nullptr;
 };
+
+TEST_F(EngineParts, AFrameThatMovesAMotorGoesToTheDeviceThatIsArmedOnlyWhoeverSendsIt)
+{
+    Links links(context, motion, recordings, scans, false);
+    const auto send = [&](std::string_view frame, std::optional<DeviceId> armed) {
+        std::vector<Result<void>> answers;
+        const std::uint64_t before = link->counters().tx;
+        links.carryOut(orders::SendFrame{"sim:can", *canFrameFromText(frame), armed}, into(answers));
+        EXPECT_EQ(link->counters().tx - before, answers.front() ? 1U : 0U);
+        return answers.front();
+    };
+    constexpr std::string_view controlOfFive = "02060005#7100000000280000";
+    for (const std::optional<DeviceId> armed : {std::optional<DeviceId>(), std::optional(id(7))}) {
+        const auto refused = send(controlOfFive, armed);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+        EXPECT_EQ(refused.error().text(), "DMC60C #5 is not armed; select it, then hold Arm in the header");
+    }
+    EXPECT_FALSE(send("02060014#7100000000280000", id(5))) << "nobody knows this one";
+    EXPECT_TRUE(send("123#00", {})) << "it moves nothing";
+    EXPECT_TRUE(send(controlOfFive, id(5)));
+}
 
 TEST_F(EngineParts, ARateForADeviceThatIsBusyIsSetOnceItIsFree)
 {

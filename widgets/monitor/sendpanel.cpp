@@ -166,14 +166,16 @@ void SendPanel::activate()
 void SendPanel::send()
 {
     // Judged again each time: STOP, disarming or another master must end this at once.
-    if (const auto refusal = permit().refusal)
-        return endRepeat(errorText(*refusal));
+    const FramePermit now = permit();
+    if (now.refusal)
+        return endRepeat(errorText(*now.refusal));
     constexpr int mostWaiting = 50;
     if (m_waiting >= mostWaiting)
         return endRepeat(tr("The link does not take frames as fast as they are sent"));
     ++m_waiting;
-    m_workbench.send(
-        orders::SendFrame{m_link, *m_typed.frame}, guarded(this, [this](const Result<void> &result) { sent(result); }));
+    const auto armed = now.control ? std::optional(now.device) : std::nullopt;
+    m_workbench.send(orders::SendFrame{m_link, *m_typed.frame, armed},
+        guarded(this, [this](const Result<void> &result) { sent(result); }));
 }
 
 void SendPanel::sent(const Result<void> &result)

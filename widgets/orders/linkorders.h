@@ -5,6 +5,7 @@
 #include "transport/linkaddress.h"
 #include "wire/canframe.h"
 
+#include <optional>
 #include <string>
 
 /// Orders to links. Links are named by their address, as LinkView::address has it.
@@ -46,10 +47,12 @@ struct FindMute {
     int address = 0;
 };
 
-/// Sends one frame by hand on a CAN link. LinkLost, Unsupported (a replay), OutOfRange (no such frame on this link).
+/// Sends one frame by hand on a CAN link. LinkLost, Unsupported (a replay), OutOfRange (no such frame on this link); Unsafe where it makes
+/// a motor move that may not (model/framepermit.h).
 struct SendFrame {
     std::string link;
     CanFrame frame;
+    std::optional<DeviceId> armed{}; ///< at the hand that sends it
 };
 
 } // namespace mb::orders
