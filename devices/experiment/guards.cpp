@@ -21,7 +21,8 @@ constexpr int wrongSamples = 5;
 constexpr Duration stuckTime = 500ms;
 constexpr int growingPeaks = 6;
 constexpr int lastingPeaks = 25;
-constexpr int mostFlips = 20; ///< a second
+constexpr int sustainedPeaks = 10; ///< of broad ones that do not become smaller
+constexpr int mostFlips = 20;      ///< a second
 constexpr double planMargin = 1.5;
 constexpr int silentPeriods = 5;
 constexpr double surelyReal = 5.0;     ///< σ of the noise
@@ -171,7 +172,8 @@ std::optional<Trip> Guards::error(Instant time, double error)
     if (!m_plan.dutyKnown && !m_plan.isVelocity)
         m_motion.duty(time, pushOf(error), fullPush);
     const bool isBlind = !m_plan.dutyKnown && !m_plan.isVelocity; // no duty shows how hard it works
-    if (isBlind && m_oscillation.lasting() >= lastingPeaks)
+    const bool swings = m_oscillation.lasting() >= lastingPeaks || m_oscillation.sustained() >= sustainedPeaks;
+    if (isBlind && swings)
         return trip(
             EndReason::Oscillation, time, say("the loop does not come to rest: %1 swings", m_oscillation.lasting()));
     if (m_oscillation.growing() < growingPeaks)

@@ -21,6 +21,8 @@ constexpr double runawayMargin = 1.2;
 constexpr double realPeak = 0.05; ///< of the swing
 constexpr double growth = 1.05;   ///< of a peak over the one before on the same side
 constexpr double asLarge = 0.95;  ///< the same, where the duty lets it grow no more
+constexpr double broad = 0.3;     ///< of the swing, from one turn to the next
+constexpr double undamped = 0.85; ///< of the way from one turn to the next, over the one before
 constexpr double atLimit = 0.95;  ///< of the duty limit
 constexpr double strong = 0.5;    ///< of the duty limit
 constexpr std::uint64_t enoughSamples = 40;
@@ -120,16 +122,19 @@ void OscillationWatch::target(double target)
         const bool rising = target > *m_target;
         m_turned = m_turned || rising != m_isRising;
         m_isRising = rising;
-        m_lasting = 0;
+        m_lasting = m_sustained = 0;
     }
     m_target = target;
 }
 
 /// Wherever it swings: friction may hold it beside its target.
-void OscillationWatch::turn(double error, double least)
+void OscillationWatch::turn(double error, double swing, double real)
 {
     const bool further = m_isGoing ? error > m_farthest : error < m_farthest;
-    if (!further && std::abs(error - m_farthest) > least) {
+    if (!further && std::abs(error - m_farthest) > real) {
+        const double stroke = std::abs(m_farthest - std::exchange(m_turnedAt, m_farthest));
+        const double least = std::max(broad * swing, undamped * std::exchange(m_stroke, stroke));
+        m_sustained = stroke >= least ? m_sustained + 1 : 0;
         m_isGoing = !m_isGoing;
         ++m_lasting;
         m_farthest = error;
@@ -140,7 +145,7 @@ void OscillationWatch::turn(double error, double least)
 
 void OscillationWatch::error(double error, double swing, double noise)
 {
-    turn(error, std::max({realPeak * swing, noise, leastMove}));
+    turn(error, swing, std::max({realPeak * swing, noise, leastMove}));
     const bool positive = error > 0.0;
     if (error == 0.0 || positive == m_isPositive) {
         m_peak = std::max(m_peak, std::abs(error));

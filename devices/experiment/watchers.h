@@ -82,11 +82,13 @@ public:
     [[nodiscard]] int growing() const { return m_growing; }
     /// Turns of the error, since the target was set.
     [[nodiscard]] int lasting() const { return m_lasting; }
+    /// Of these the last ones on end that were broad and became no smaller: it does not come to rest by itself.
+    [[nodiscard]] int sustained() const { return m_sustained; }
     /// Changes of direction above half the duty in the last second.
     [[nodiscard]] int flips() const { return static_cast<int>(m_flips.size()); }
 
 private:
-    void turn(double error, double least);
+    void turn(double error, double swing, double real);
 
     std::optional<double> m_target;
     bool m_isRising = false;   ///< the target, when it moved last
@@ -99,6 +101,9 @@ private:
     double m_lastNegative = 0.0;
     int m_growing = 0;
     int m_lasting = 0;
+    int m_sustained = 0;
+    double m_turnedAt = 0.0;
+    double m_stroke = 0.0;   ///< between its last two turns
     bool m_isGoing = false;  ///< the error, to more
     double m_farthest = 0.0; ///< where it has been since it turned
     double m_strongDuty = 0.0;

@@ -220,8 +220,10 @@ TEST(Guards, APositionWithoutADutyThatDoesNotComeToRestTripsOscillation)
             return g.error(t, 15.0 + size * std::pow(share, i) * (i % 2 == 0 ? 1.0 : -1.0));
         };
     };
-    const auto lasting = run(blind, 100, swinging(10.0, 1.0));
+    const auto lasting = run(blind, 100, swinging(8.0, 1.0));
     expectTrip(lasting, EndReason::Oscillation, start + 240ms, "25 swings");
+    const auto broad = run(blind, 100, swinging(9.1, 1.0));
+    expectTrip(broad, EndReason::Oscillation, start + 120ms, "13 swings");
     EXPECT_FALSE(run(blind, 100, swinging(14.0, 0.9))) << "it comes to rest";
     EXPECT_FALSE(run(blind, 100, swinging(1.0, 1.0))) << "of a count or two";
     GuardPlan seen = blind;

@@ -255,6 +255,26 @@ TEST(OscillationWatch, TurnsOfMoreThanTheNoiseLastUntilTheTargetMoves)
     EXPECT_EQ(watch.lasting(), 0);
 }
 
+TEST(OscillationWatch, BroadTurnsThatBecomeNoSmallerAreSustained)
+{
+    const auto after = [](double size, double share, int turns) {
+        OscillationWatch watch;
+        watch.target(0.0);
+        for (int i = 0; i < turns; ++i) {
+            waves(watch, {(i % 2 == 0 ? size : -size)});
+            size *= share;
+        }
+        return watch;
+    };
+    EXPECT_EQ(after(15.1, 1.0, 14).sustained(), 12) << "15 % of the swing either way";
+    EXPECT_EQ(after(14.9, 1.0, 14).sustained(), 0);
+    EXPECT_GT(after(60.0, 0.9, 14).sustained(), 0);
+    EXPECT_EQ(after(60.0, 0.8, 14).sustained(), 0) << "it comes to rest";
+    OscillationWatch watch = after(20.0, 1.0, 14);
+    watch.target(100.0);
+    EXPECT_EQ(watch.sustained(), 0);
+}
+
 TEST(OscillationWatch, FlipsAreThoseOfMoreThanHalfTheDutyInASecond)
 {
     OscillationWatch watch;
