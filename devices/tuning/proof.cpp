@@ -117,17 +117,19 @@ RestingError restingError(
     return unmoved < held ? RestingError{unmoved, Below::Integral} : RestingError{held, Below::Motor};
 }
 
-void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into)
+void addFrictionHelp(const Family &family, Mode loop, int axis, int slot, const PlantModel &plant, ScaledGains &into)
 {
-    const auto row = [&](Role role) { return parameterOf(family, Mode::Position, axis, slot, role); };
-    if (const auto windup = row(Role::IntegralLimit))
+    const bool isPosition = loop == Mode::Position;
+    const auto row = [&](Role role) { return parameterOf(family, loop, axis, slot, role); };
+    if (const auto windup = isPosition ? row(Role::IntegralLimit) : std::nullopt)
         addNumber(family, windup, std::round(windupOf(plant) * family.loop->fullDuty), into);
     if (!hasFrictionHelp(family))
         return;
-    const double push = std::round(helpOverFriction * plant.friction * family.loop->fullDuty);
+    const double push = isPosition ? std::round(helpOverFriction * plant.friction * family.loop->fullDuty) : 0.0;
     addNumber(family, row(Role::LeastForward), push, into);
-    addNumber(family, row(Role::LeastReverse), -push, into);
-    addNumber(family, row(Role::AllowableError), goodEnough, into);
+    addNumber(family, row(Role::LeastReverse), 0.0 - push, into);
+    if (isPosition)
+        addNumber(family, row(Role::AllowableError), goodEnough, into);
 }
 
 void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into)

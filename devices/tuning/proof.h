@@ -23,8 +23,9 @@ namespace mb::tuning {
 /// The device has a least output that overcomes friction, and an error that is good enough.
 [[nodiscard]] bool hasFrictionHelp(const Family &family);
 /// Adds the least output that overcomes friction, and the error that is good enough, or the bound of the integral, where the slot
-/// has them: a position loop comes to rest before its target otherwise.
-void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into);
+/// has them: a position loop comes to rest before its target otherwise. Any other loop would never come to rest with such an output: that
+/// of a position loop which was in its slot before is taken away.
+void addFrictionHelp(const Family &family, Mode loop, int axis, int slot, const PlantModel &plant, ScaledGains &into);
 
 /// Takes away the bound that the slot has for the integral of other gains, where it has one and these have an integral: of a smaller I it
 /// would leave too little to hold a speed or a current.

@@ -123,10 +123,10 @@ Result<ScaledGains> parametersOf(const ProposalBasis &basis, const Design &desig
 {
     auto scaled
         = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, design.gains, basis.scale);
-    if (scaled && basis.loop == Mode::Position)
-        addFrictionHelp(basis.family, basis.axis, basis.slot, basis.plant, *scaled);
-    if (scaled)
+    if (scaled) {
+        addFrictionHelp(basis.family, basis.loop, basis.axis, basis.slot, basis.plant, *scaled);
         freeIntegral(basis.family, basis.loop, basis.axis, basis.slot, *scaled);
+    }
     return scaled;
 }
 

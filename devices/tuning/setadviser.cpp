@@ -63,7 +63,7 @@ SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const
     SetAdvice advice = about(basis, Cause::Deadband, Role::LeastForward, deadband(basis.plant, proposal.gains.made),
         largeBand * std::abs(proposal.step));
     const bool helps = afterwards(proposal, now, advice.key).value_or(0.0) != 0.0;
-    if (advice.number <= advice.limit || helps)
+    if (basis.loop != Mode::Position || advice.number <= advice.limit || helps) // others would never rest with it
         return advice;
     advice.state = State::Notable;
     const double duty

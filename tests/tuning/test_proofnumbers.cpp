@@ -81,7 +81,7 @@ TEST(ProofNumbers, FrictionHelpIsAQuarterMoreThanFrictionAndFourCounts)
     ASSERT_TRUE(hasFrictionHelp(family));
     const PlantModel plant{50'000.0, 0.1, 0.0, 0.04};
     ScaledGains gains;
-    addFrictionHelp(family, 1, 0, plant, gains);
+    addFrictionHelp(family, Mode::Position, 1, 0, plant, gains);
     ASSERT_EQ(gains.rows.size(), gains.changes.size());
     const auto numberOf = [&gains](Role role) {
         const auto found = std::find_if(
@@ -143,7 +143,7 @@ TEST(ProofNumbers, TheBoundOfAnIntegralIsFreedOnlyOfGainsThatHaveOne)
     }
     ScaledGains helped;
     helped.made.i = 0.1;
-    addFrictionHelp(family, 1, 0, {50'000.0, 0.1, 0.0, 0.04}, helped);
+    addFrictionHelp(family, Mode::Position, 1, 0, {50'000.0, 0.1, 0.0, 0.04}, helped);
     const std::size_t before = helped.rows.size();
     freeIntegral(family, Mode::Position, 1, 0, helped);
     EXPECT_EQ(helped.rows.size(), before + 1U) << "what is good enough stays";
