@@ -137,7 +137,7 @@ Trace moved(const Trace &trace, double origin, double sign, double end)
 /// Where the step would lie with the model off by its ±; empty where nobody knows that.
 PredictionBand bandOf(const TuneReport &report, double seconds)
 {
-    const PlantErrors errors = errorsOf(report.motor);
+    const PlantErrors errors = errorsOf(report);
     if (report.step == 0.0 || (errors.gain == 0.0 && errors.tau == 0.0 && errors.delay == 0.0))
         return {};
     const LoopShape &shape = report.predicted->shape;

@@ -107,7 +107,7 @@ const JsonFields<PlantModel> jsonFields<PlantModel> = numbers<PlantModel>({{"gai
     {"braking", &PlantModel::braking}, {"stall_current", &PlantModel::stallCurrent},
     {"back_duty", &PlantModel::backDuty}, {"noise", &PlantModel::noise}, {"reading", &PlantModel::reading},
     {"lag_doubt", &PlantModel::lagDoubt}, {"pick_up", &PlantModel::pickUp}, {"idle", &PlantModel::idle},
-    {"sag", &PlantModel::sag}, {"warming", &PlantModel::warming}});
+    {"sag", &PlantModel::sag}, {"warming", &PlantModel::warming}, {"breakaway", &PlantModel::breakaway}});
 template <>
 const JsonFields<ContinuousGains> jsonFields<ContinuousGains> = numbers<ContinuousGains>(
     {{"p", &ContinuousGains::p}, {"i", &ContinuousGains::i}, {"d", &ContinuousGains::d}, {"f", &ContinuousGains::f}});
@@ -143,7 +143,8 @@ const JsonFields<RampFound> jsonFields<RampFound>{{"forward", &RampFound::forwar
 template <>
 const JsonFields<MotorFound> jsonFields<MotorFound>{{"ramp", &MotorFound::ramp}, {"pushes", &MotorFound::pushes},
     {"line", &MotorFound::line}, {"filter", &MotorFound::filter}, {"supply", &MotorFound::supply},
-    {"unit", &MotorFound::unit}, {"rest_noise", &MotorFound::restNoise}, {"latency", &MotorFound::latency}};
+    {"unit", &MotorFound::unit}, {"rest_noise", &MotorFound::restNoise}, {"latency", &MotorFound::latency},
+    {"model", &MotorFound::plant}};
 template <>
 const JsonFields<ScaledGains::Row> jsonFields<ScaledGains::Row>{
     {"key", &ScaledGains::Row::key}, {"raw", &ScaledGains::Row::raw}, {"value", &ScaledGains::Row::number}};

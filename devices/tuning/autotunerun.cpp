@@ -161,6 +161,14 @@ std::optional<double> AutotuneRun::travelLeft() const
     return std::clamp(*travel - std::abs(m_here - *m_start), 0.0, *m_envelope.travel);
 }
 
+std::optional<double> AutotuneRun::room(double sign) const
+{
+    const auto &travel = m_plan.limits.travel;
+    if (!travel || !m_start || !m_envelope.travel)
+        return m_envelope.travel;
+    return std::clamp(*travel - sign * (m_here - *m_start), 0.0, *m_envelope.travel);
+}
+
 double AutotuneRun::left() const
 {
     return wholeTime - inSeconds(m_device.clock().now() - m_begin);
@@ -177,6 +185,7 @@ void AutotuneRun::expectOf(const PlantModel &plant, const std::optional<TriedSca
 Result<void> AutotuneRun::take(Finding finding)
 {
     m_report.motor = std::move(finding.motor);
+    m_report.motor->plant = finding.plant;
     m_report.plant = finding.plant;
     m_report.gates = std::move(finding.gates);
     m_report.scale = finding.scale;
@@ -193,6 +202,10 @@ Task<void> AutotuneRun::recall()
     m_report.plant = *m_plan.known;
     expectOf(*m_plan.known, m_plan.scale);
     m_report.scale = m_plan.scale;
+    m_report.gates = m_plan.gates;
+    m_report.motor = m_plan.motor;
+    if (m_report.motor)
+        m_report.motor->heat = 0.0; // of pushes that were long ago
     const auto position = axisChannel(m_device, "position", m_plan.axis);
     if (m_plan.loop == Mode::Position && !(position && m_device.telemetry()->latest(*position)))
         co_return fail(

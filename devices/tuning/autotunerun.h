@@ -78,6 +78,8 @@ public:
     [[nodiscard]] const ExperimentSurroundings &around() const { return m_around; }
     /// Counts either side of where the motor stands now; nothing: no limit is known.
     [[nodiscard]] std::optional<double> travelLeft() const;
+    /// The same one way: what the motor has gone since the tuning began counts.
+    [[nodiscard]] std::optional<double> room(double sign) const;
     /// Who may end it at any time.
     [[nodiscard]] const Interruptible &user() const { return m_user; }
     /// Counts, where the motor is.

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double unseenOfReading = 0.5;   ///< of a step of the reading, that an overshoot is not read
 constexpr double mostUnseen = 0.045;      ///< of the step
-constexpr double shortestLag = 0.3e-3;    ///< s, of motors
-constexpr double longestLag = 1.4e-3;     ///< s
 constexpr double moreMs = 1.1;            ///< times the sensitivity, as far as a lag that was seen may be off
 constexpr double heldSeconds = 0.08;      ///< s, as long as its proof holds a step at least
 constexpr double priceOfOvershoot = 40.0; ///< of the integral, for each unit beyond

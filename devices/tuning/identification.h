@@ -3,6 +3,7 @@
 
 #include "experiment/trial.h"
 #include "tuning/plantfit.h"
+#include "tuning/plantmodel.h"
 #include "tuning/ramp.h"
 #include "tuning/velocityfilter.h"
 
@@ -21,6 +22,7 @@ struct MotorFound {
     std::optional<double> latency;          ///< s from the order of a push until it is seen to move; of all the median
     std::optional<RampFound> ramp;          ///< nothing where there was none, or it told nothing
     double heat = 0.0;                      ///< that the pushes have left in its winding (windingheat.h)
+    PlantModel plant{};                     ///< of the loop, as it was found: before steps corrected it
     double supply = 0.0;                    ///< V at rest, which `line` is per full duty of; 0: not told
     std::string unit = "counts/s per duty"; ///< of the gain
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/modelnumbers.h"
 
+#include "tuning/uncertainty.h"
+
 namespace mb::tuning {
 namespace {
 
@@ -10,23 +12,19 @@ std::optional<double> known(double number)
     return number > 0.0 ? std::optional(number) : std::nullopt;
 }
 
-/// The lag of a winding is taken until steps tell it, and then within a share of it.
-std::optional<double> errorOfLag(const TuneReport &report, const MotorFound &motor)
-{
-    return known(report.loop == Mode::Current ? report.plant.lagDoubt * report.plant.tau : motor.pushes.tauError);
-}
-
 } // namespace
 
 ModelNumbers modelNumbers(const TuneReport &report)
 {
     const PlantModel &plant = report.plant;
     const MotorFound motor = report.motor.value_or(MotorFound());
+    const PlantErrors errors = errorsOf(report);
+    const bool isTaken = report.loop == Mode::Current && plant.lagDoubt == 0.0; // nobody has seen its lag
     ModelNumbers numbers;
-    numbers.gain = {plant.gain, known(motor.line.gainError)};
-    numbers.tau = {plant.tau, errorOfLag(report, motor)};
-    numbers.delay = {plant.delay, known(motor.pushes.delayError)};
-    const auto frictionError = known(motor.line.frictionError);
+    numbers.gain = {plant.gain, known(errors.gain)};
+    numbers.tau = {plant.tau, isTaken ? std::nullopt : known(errors.tau)};
+    numbers.delay = {plant.delay, known(errors.delay)};
+    const auto frictionError = known(errors.friction);
     numbers.friction = {frictionError ? std::optional(plant.friction) : known(plant.friction), frictionError};
     if (motor.line.forward > 0.0 && motor.line.reverse > 0.0)
         numbers.load = {motor.line.offset, known(motor.line.offsetError)};

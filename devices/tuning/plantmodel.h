@@ -20,6 +20,7 @@ struct PlantModel {
     double idle = 0.0;         ///< A of it, that friction takes
     double sag = 0.0;     ///< share by which tau grows with the square of the duty (pushfit.h); it is that of dutyOfLag
     double warming = 0.0; ///< as PushFit::warming; gain and tau are of the cold motor (windingheat.h)
+    double breakaway = 0.0; ///< duty that surely moves it from rest, as a ramp told it; 0: none did
 
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };

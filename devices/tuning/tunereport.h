@@ -22,6 +22,8 @@ struct TunePlan {
     std::optional<PlantModel> known; ///< of this loop, identified before: no pushes
     std::optional<TriedScale> scale; ///< that belongs to it: TuneReport::scale
     VelocityTaking taking;           ///< and how its loop takes its velocity: TuneReport::taking
+    std::optional<MotorFound> motor; ///< what it was found on, with its gates: for the report
+    std::vector<Gate> gates;
     Envelope limits;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/identification.h"
 #include "tuning/prediction.h"
+#include "tuning/tunereport.h"
 
 namespace mb::tuning {
 
@@ -11,9 +11,13 @@ struct PlantErrors {
     double gain = 0.0;
     double tau = 0.0;
     double delay = 0.0;
+    double friction = 0.0;
+    double leastTau = 0.0; ///< s: no motor has less, whatever the error
+
+    friend bool operator==(const PlantErrors &, const PlantErrors &) = default;
 };
-/// Of an identification; nothing where there was none.
-[[nodiscard]] PlantErrors errorsOf(const std::optional<MotorFound> &motor);
+/// Of the model that a tuning stands on: of its identification, or as much as steps have corrected it since; nothing where there was none.
+[[nodiscard]] PlantErrors errorsOf(const TuneReport &report);
 
 /// Between what a predicted step may lie: lowest and highest at the times of the prediction.
 struct PredictionBand {

@@ -168,6 +168,8 @@ void DesignPage::prove()
     wanted.known = known->plant;
     wanted.scale = known->scale;
     wanted.taking = known->taking;
+    wanted.motor = known->motor;
+    wanted.gates = known->gates;
     run(std::move(wanted));
 }
 

@@ -43,8 +43,8 @@ void DesignPlots::show(const tuning::TuneReport &report, const Shown &shown, con
         shown.compared ? shown.compared->name : QString());
     m_bode->setLoop(report.loop, report.plant, proposal.gains.made, proposal.margins);
     const tuning::PredictionBand band
-        = tuning::bandOf(proposal.predicted, report.loop, report.plant, tuning::errorsOf(report.motor),
-            proposal.gains.made, proposal.step, basis.envelope.duty.value_or(1.0), tuning::predictionPeriod(basis));
+        = tuning::bandOf(proposal.predicted, report.loop, report.plant, tuning::errorsOf(report), proposal.gains.made,
+            proposal.step, basis.envelope.duty.value_or(1.0), tuning::predictionPeriod(basis));
     StepCurves step = stepCurves(report, proposal, shown.name, band, shown.compared);
     m_step->setAxes(tr("s"), stepUnit(report.loop), false);
     m_step->setLeastRange(belowZero * proposal.step, step.highest);
