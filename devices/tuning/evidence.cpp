@@ -128,7 +128,8 @@ std::optional<double> Evidence::leapOfOneCount() const
         return std::nullopt;
     const double divisor = scale()->divided ? gain(Role::Divisor) : 1.0;
     return divisor == 0.0 ? std::nullopt
-                          : std::optional(std::abs(gain(Role::Derivative)) / divisor / scale()->fullDuty);
+                          : std::optional(std::abs(gain(Role::Derivative)) / divisor / scale()->fullDuty
+                              * scale()->period / scale()->cycle);
 }
 
 std::optional<double> Evidence::rampTime() const

@@ -40,20 +40,28 @@ std::optional<double> afterwards(const Proposal &proposal, const KnownGains &now
     return found == now.end() ? std::nullopt : found->second;
 }
 
+/// s of the step, that F and I give back as overshoot; 0: none, or one of them is not there.
+double conflictOf(const ProposalBasis &basis, const Proposal &proposal, const ContinuousGains &gains)
+{
+    return gains.f > 0.0 && gains.i > 0.0 ? conflictArea(basis.plant, gains, proposal.design.response, proposal.step)
+                                          : 0.0;
+}
+
 SetAdvice onFeedForward(const ProposalBasis &basis, const Proposal &proposal, const KnownGains &now)
 {
-    SetAdvice advice = about(basis, Cause::FeedForward, Role::FeedForward, 0.0, mostFeedForward);
+    SetAdvice advice = about(basis, Cause::FeedForward, Role::FeedForward, 0.0, 0.0);
     if (basis.loop != Mode::Velocity || advice.key.empty())
         return advice;
-    advice.number = proposal.gains.made.f * basis.plant.gain;
-    if (proposal.gains.made.i != 0.0 && advice.number >= mostFeedForward) {
+    advice.number = conflictOf(basis, proposal, proposal.gains.made);
+    if (advice.number > 0.0) {
         advice.state = State::Notable;
         return advice;
     }
     const auto before = gainsMadeBy(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, now, basis.scale);
-    if (before && before->made.i != 0.0 && before->made.f * basis.plant.gain >= mostFeedForward) {
+    const double given = before ? conflictOf(basis, proposal, before->made) : 0.0;
+    if (given > 0.0) {
         advice.state = State::Fixed;
-        advice.number = before->made.f * basis.plant.gain;
+        advice.number = given;
     }
     return advice;
 }
@@ -77,7 +85,7 @@ SetAdvice onDeadband(const ProposalBasis &basis, const Proposal &proposal, const
 
 SetAdvice onNoise(const ProposalBasis &basis, const Proposal &proposal)
 {
-    const double period = basis.scale ? basis.scale->cycle : basis.family.loop ? basis.family.loop->period : 0.0;
+    const double period = basis.scale ? basis.scale->cycle : basis.family.loop ? basis.family.loop->cycle : 0.0;
     SetAdvice advice = about(basis, Cause::DerivativeNoise, Role::Derivative, 0.0, LoopBounds().derivativeShare);
     if (basis.loop == Mode::Position && period > 0.0)
         advice.number = std::abs(proposal.gains.made.d) / period;

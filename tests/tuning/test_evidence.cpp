@@ -16,9 +16,14 @@ namespace {
 
 using Told = std::function<double(double)>;
 
+const Family &shownFamily(std::string_view key)
+{
+    return **std::find_if(families().begin(), families().end(), [key](const Family *f) { return f->key == key; });
+}
+
 const Family &testedFamily()
 {
-    return **std::find_if(families().begin(), families().end(), [](const Family *f) { return f->key == "dmc60c"; });
+    return shownFamily("dmc60c");
 }
 
 /// A hold of one second, samples each 5 ms from 0.3 s before it on.
@@ -174,6 +179,12 @@ TEST(Evidence, WhatItsGainsMakeIsToldInDuty)
     trial.mode = Mode::Position;
     EXPECT_NEAR(Evidence(testedFamily(), trial).leapOfOneCount().value_or(0.0), 3.0 / scale.fullDuty, 1e-12);
     EXPECT_NEAR(Evidence(testedFamily(), trial).demandOfStep().value_or(0.0), 1.5 * 800.0 / scale.fullDuty, 1e-12);
+    const Family &timed = shownFamily("abstractdc"); // its D counts in ms, and its loop runs every 20
+    Trial other = trial;
+    other.gains = {{"position.d", 30.0}, {"position.divisor", 10.0}};
+    EXPECT_NEAR(Evidence(timed, other).leapOfOneCount().value_or(0.0),
+        3.0 / timed.loop->fullDuty * timed.loop->period / timed.loop->cycle, 1e-12);
+    EXPECT_LT(timed.loop->period, 0.1 * timed.loop->cycle);
     trial.gains.clear();
     const Evidence none(testedFamily(), trial);
     EXPECT_FALSE(none.demandOfStep());

@@ -355,7 +355,7 @@ void TestDesignSight::whatIsInOrderTakesOneLineWhereThereIsLittleRoom()
     bench.finish(identified());
     QCoreApplication::processEvents();
     const auto *const advisers = bench.page->findChild<AdviserList *>();
-    const QString quiet = QStringLiteral("nothing is paid back as overshoot");
+    const QString quiet = QStringLiteral("F and I give nothing back as overshoot");
     QVERIFY2(wordsIn(*advisers).contains(quiet), qPrintable(wordsIn(*advisers)));
     makeSmall(bench);
     QVERIFY2(!wordsIn(*advisers).contains(quiet), qPrintable(wordsIn(*advisers)));

@@ -58,16 +58,13 @@ QString sharePercent(double fraction)
 
 QString feedForwardText(Mode loop, const tuning::SetAdvice &advice)
 {
-    const QString number = formatNumber(advice.number, 2);
     if (advice.key.empty() || loop != Mode::Velocity)
         return AdviserList::tr("This loop has no F that could fight with I.");
+    const QString area = formatDuration(advice.number);
     if (advice.state == State::Fixed)
-        return AdviserList::tr("F·K is %1 in force, with I active: that overshoots. The set has no F.").arg(number);
-    if (advice.state == State::Notable)
-        return adviceText(tuning::Advice{advice.cause, advice.number, 0.0, {}});
-    return advice.number == 0.0 ? AdviserList::tr("F is 0: nothing is paid back as overshoot.")
-                                : AdviserList::tr("F·K is %1, under %2: nothing is paid back as overshoot.")
-                                      .arg(number, formatNumber(advice.limit, 2));
+        return AdviserList::tr("F and I in force give back %1 of the step as overshoot. The set has no F.").arg(area);
+    return advice.state == State::Notable ? AdviserList::tr("F and I give back %1 of the step as overshoot.").arg(area)
+                                          : AdviserList::tr("F and I give nothing back as overshoot.");
 }
 
 QString deadbandText(Mode loop, const tuning::ContinuousGains &gains, const tuning::SetAdvice &advice)
