@@ -205,9 +205,9 @@ Task<FrequencyResponse> measureFrequencyResponse(
                 : say("the stop was not confirmed by %1", device.selector());
             co_return response;
         }
-        if (const auto point = frequencyPoint(*trial, plant.tau))
-            response.points.push_back(*point);
-        else
+        const auto point = frequencyPoint(*trial, plant.tau);
+        response.points.push_back(point.value_or(FrequencyPoint{hertz})); // nothing above it is to be trusted
+        if (!point)
             response.evidence = point.error().message();
         sign = -sign; // back, less far
     }

@@ -11,7 +11,7 @@ namespace mb::tuning {
 /// What a motor answers to one sine of duty around a speed at which it never reverses, so that friction drops out.
 struct FrequencyPoint {
     double hertz = 0.0;
-    double magnitude = 0.0; ///< counts/s per duty
+    double magnitude = 0.0; ///< counts/s per duty; 0: its trial told none
     double phase = 0.0;     ///< degrees, 0 … −360
     double coherence = 0.0; ///< share of the movement beside the mean speed that this sine explains, 0 … 1
     bool trusted = false;   ///< enough samples a swing, and coherence 0.9 or more

@@ -227,7 +227,7 @@ void BodePlot::showBehind(Mode loop, const tuning::PlantModel &plant, double mid
     Response unused(tr("not used"), ofUnused);
     unused.showAsPoints(true);
     for (const tuning::FrequencyPoint &point : m_measured) {
-        if (point.hertz > usableUpTo())
+        if (point.hertz > usableUpTo() && point.magnitude > 0.0)
             addPoint(unused, point, loop, plant);
     }
     if (!unused.magnitude.x.isEmpty())
