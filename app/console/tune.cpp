@@ -11,6 +11,7 @@
 #include "async/sleep.h"
 #include "settings/writing.h"
 #include "tuning/autotune.h"
+#include "tuning/proposals.h"
 
 #include <algorithm>
 #include <memory>
@@ -21,7 +22,6 @@ namespace {
 using namespace tuning;
 
 constexpr double leastMs = 1.1;
-constexpr double mostMs = 2.5;
 
 struct TuneArguments {
     std::string device;
@@ -71,7 +71,7 @@ Result<void> parseAim(const TuneArguments &a, TunePlan &plan)
     if (a.response.empty())
         return {};
     MB_TRY(const auto response, parseNumber("--response", a.response, 1e-4, 100.0));
-    MB_TRY(const auto ms, parseNumber("--damping", a.damping, leastMs, mostMs));
+    MB_TRY(const auto ms, parseNumber("--damping", a.damping, leastMs, largestMs));
     plan.response = response;
     plan.ms = ms;
     return {};

@@ -76,6 +76,8 @@ enum class Role : std::uint8_t {
     AllowableError, ///< error below which its loop does nothing
     Ramp,           ///< greatest change of output in a period of its loop; 0: none
     Limit,          ///< bounds what a motor may do, whichever loop drives it; a boolean switches such a bound
+    MostForward,    ///< such a limit: of the output of its loop, forward
+    MostReverse,    ///< the same, reverse: a number at or below 0
     PowerLimit,     ///< such a limit: of the power that its motor gets at most
 };
 

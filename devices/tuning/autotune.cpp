@@ -11,12 +11,14 @@
 #include "tuning/autotunerun.h"
 #include "tuning/currentidentification.h"
 #include "tuning/gainscale.h"
+#include "tuning/proof.h"
 #include "tuning/pushidentification.h"
 #include "tuning/scalecalibration.h"
 #include "tuning/tunedesign.h"
 #include "tuning/tuneproof.h"
 #include "tuning/twopointidentification.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mb::tuning {
@@ -69,33 +71,79 @@ Task<void> proveAny(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
     co_return {};
 }
 
-/// Beside what was proven before; the better of the two is left.
-Task<void> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+/// A unit that is not heard while nothing moves is lost like one that falls silent in a push.
+bool isLost(const Device &device, const Error &error)
 {
-    co_await proof.prove();
+    return error.fault == Fault::LinkLost || device.link().state() != LinkState::Open
+        || (error.fault == Fault::Timeout && !device.liveness().heard);
+}
+
+/// What came between two experiments, and ends one where it comes in it; empty: nothing did.
+EndReason endBetween(Device &device, const Error &error)
+{
+    if (error.fault != Fault::Unsafe)
+        return EndReason::None;
+    return device.liveness().foreignMaster ? EndReason::ForeignMaster
+        : device.liveness().restarted      ? EndReason::DeviceRestarted
+        : device.guard().possible()        ? EndReason::None
+                                           : EndReason::Unguarded;
+}
+
+/// Why what was proven before is kept all the same; nothing where it is not: a user or a unit that is lost ends every tuning, and nothing
+/// is written where the motor may still turn, or where something else than before is in force.
+std::optional<Message> givenUp(const AutotuneRun &run, const Result<void> &proved)
+{
     const TuneReport &report = run.report();
-    const bool isLossy = report.stopReason == EndReason::Link && report.stopped && run.device().liveness().heard;
-    if (isLossy || report.stopReason == EndReason::Oscillation) {
-        run.forgive(); // what was proven before did not swing, and the wire let it through
-        run.report().result = TuneResult::RolledBack;
+    Device &device = run.device();
+    const bool isHeard = device.liveness().heard && device.link().state() == LinkState::Open;
+    if (run.user().isRequested() || !isHeard || !report.stopped || !report.notPutBack.empty())
+        return std::nullopt;
+    if (!proved)
+        return isLost(device, proved.error()) || endBetween(device, proved.error()) != EndReason::None
+            ? std::nullopt
+            : std::optional(proved.error().detail);
+    const bool isGuard = report.stopReason >= EndReason::Travel && report.stopReason <= EndReason::Link;
+    return isGuard ? std::optional(report.evidence) : std::nullopt;
+}
+
+/// Of other gains than these it says nothing.
+bool isOfTheseGains(EndReason reason)
+{
+    return reason == EndReason::None || reason == EndReason::Oscillation || reason == EndReason::Link;
+}
+
+/// Beside what was proven before; the better of the two is left. False where nothing is to be tried after it.
+Task<bool> proveBeside(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
+{
+    auto proving = proof.prove();
+    Result<void> proved = co_await std::move(proving).attempt();
+    const bool isCut = !proved || run.isOver();
+    const auto why = isCut ? givenUp(run, proved) : std::nullopt;
+    if (isCut && !why) {
+        co_await std::move(proved);
+        co_return false;
     }
-    if (!run.isOver())
-        design.takeTheBetter();
-    co_return {};
+    const bool goesOn = isOfTheseGains(run.report().stopReason);
+    if (why) {
+        run.note(say("these are given up: %1", *why));
+        run.forgive();
+        run.report().result = TuneResult::RolledBack;
+        design.giveUp(*why);
+    }
+    design.takeTheBetter();
+    co_return goesOn;
 }
 
 /// What was there before is not given up for something worse; and what was proven tells enough for something better. Where there is time.
 Task<void> sharpen(AutotuneRun &run, TuneDesign &design, TuneProof &proof)
 {
-    if (design.recallFormer(proof.seconds())) {
-        co_await proveBeside(run, design, proof);
-        if (run.isOver())
-            co_return {};
-    }
-    while (!run.isOver()) {
-        if (const bool sharpened = co_await design.sharpen(proof.seconds()); !sharpened)
-            break;
-        co_await proveBeside(run, design, proof);
+    bool goesOn = true;
+    if (design.recallFormer(proof.seconds()))
+        goesOn = co_await proveBeside(run, design, proof);
+    while (goesOn) {
+        goesOn = co_await design.sharpen(proof.seconds());
+        if (goesOn)
+            goesOn = co_await proveBeside(run, design, proof);
     }
     co_return {};
 }
@@ -126,11 +174,11 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_await model(run, plan);
     if (run.isOver())
         co_return {};
+    auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
+    run.report().before = co_await std::move(reading);
     TuneDesign design(run);
     co_await design.propose();
     if (plan.propose) {
-        auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
-        run.report().before = co_await std::move(reading);
         if (auto may = run.user().mayGoOn(); !may) {
             run.report().proposed = {};
             co_return fail(may.error());
@@ -181,24 +229,6 @@ Error holdsTooLittle(const Family &family)
 
 namespace {
 
-/// A unit that is not heard while nothing moves is lost like one that falls silent in a push.
-bool isLost(const Device &device, const Error &error)
-{
-    return error.fault == Fault::LinkLost || device.link().state() != LinkState::Open
-        || (error.fault == Fault::Timeout && !device.liveness().heard);
-}
-
-/// What came between two experiments, and ends one where it comes in it; empty: nothing did.
-EndReason endBetween(Device &device, const Error &error)
-{
-    if (error.fault != Fault::Unsafe)
-        return EndReason::None;
-    return device.liveness().foreignMaster ? EndReason::ForeignMaster
-        : device.liveness().restarted      ? EndReason::DeviceRestarted
-        : device.guard().possible()        ? EndReason::None
-                                           : EndReason::Unguarded;
-}
-
 /// Of a tuning that has moved its motor, or that the user has stopped before.
 void takeError(AutotuneRun &run, const Error &error)
 {
@@ -221,6 +251,24 @@ void takeError(AutotuneRun &run, const Error &error)
 
 } // namespace
 
+namespace {
+
+/// D of a position answers each set-point with whatever it makes of its size: where nothing of the unit bounds it, no model tells how much.
+Result<void> checkDuty(const Family &family, const TunePlan &plan)
+{
+    const double duty = plan.limits.duty.value_or(1.0);
+    const bool isBounded = hasOutputLimits(family)
+        || std::ranges::any_of(
+            family.trials->limits, [](const DeviceLimit &limit) { return limit.bounds == DeviceLimit::Bounds::Duty; });
+    if (plan.loop != Mode::Position || plan.propose || !family.loop || isBounded || duty >= 1.0)
+        return {};
+    return fail(Fault::OutOfRange,
+        say("nothing of its own keeps a position loop of %1 to %2 duty", family.title, percentText(duty)),
+        say("allow all of it within little travel, or tune it by hand with 'motorbenchctl step'"));
+}
+
+} // namespace
+
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
 {
     if (!loopOf(family, plan.loop))
@@ -234,6 +282,7 @@ Result<void> checkTuning(const Family &family, const TunePlan &plan)
     if (plan.known && family.trials->raw.cycle > 0.0 && !plan.scale)
         return fail(
             Fault::OutOfRange, say("what the gains of this loop make is not known any more"), say("identify it anew"));
+    MB_TRY_VOID(checkDuty(family, plan));
     ExperimentPlan steps;
     steps.mode = family.trials->nudge > 0.0 ? plan.loop : Mode::Duty;
     steps.to = 1.0;

@@ -39,6 +39,23 @@ constexpr double laterSettle = 0.15;     ///< s
 constexpr double quietNoise = 0.005;     ///< of the step, with which settling can still be measured
 constexpr double endOfHold = 0.25;
 constexpr double leastError = 0.02; ///< of the step
+constexpr double proofSettles
+    = 2.5; ///< predicted times to settle that a proof holds its step: twice may pass until it has settled
+constexpr double proofCreeps = 2.0;    ///< times of the integral, in which it creeps to its target, at least
+constexpr double slowProof = 1.2;      ///< s, that a slow one waits at most beyond what was predicted
+constexpr double proofRest = 0.3;      ///< s longer
+constexpr double leastProof = 0.7;     ///< s
+constexpr double countedProof = 2.0;   ///< s, of a velocity that is counted over edges: swinging grows slowly
+constexpr double longestProof = 5.0;   ///< s
+constexpr double unknownSettle = 1.5;  ///< s, where none was predicted
+constexpr double currentSettles = 4.0; ///< of a current loop
+constexpr double leastCurrent = 0.08;  ///< s that it is held
+constexpr double longestCurrent = 0.2; ///< s
+constexpr double roomOfProof = 0.85;   ///< of what is left one way
+constexpr double leastDeadbands = 3.0;
+constexpr double leastReadings = 10.0;  ///< of a speed; of a position as many times what is good enough
+constexpr double leastOfFriction = 0.3; ///< duty of a velocity step over friction
+constexpr double stopsLate = 0.1;       ///< s, after which a stop is in force, at most
 
 void addNumber(const Family &family, std::optional<ParameterIndex> index, double number, ScaledGains &into)
 {
@@ -46,6 +63,8 @@ void addNumber(const Family &family, std::optional<ParameterIndex> index, double
         return;
     const Parameter &parameter = family.parameters[index->value];
     if (const auto raw = toRaw(parameter, number)) {
+        std::erase_if(into.rows, [&](const ScaledGains::Row &row) { return row.key == parameter.key; });
+        std::erase_if(into.changes, [&](const ParameterChange &change) { return change.index == *index; });
         into.rows.push_back({std::string(parameter.key), *raw, number, parameter.role});
         into.changes.push_back({*index, *raw});
     }
@@ -61,6 +80,12 @@ bool hasRole(const Family &family, Role role)
 double withinLimit(double step, const std::optional<double> &limit)
 {
     return std::round(limit ? std::min(step, stepOfLimit * *limit) : step);
+}
+
+/// Duty that moves it on and from rest.
+double helpOf(const PlantModel &plant)
+{
+    return std::max(helpOverFriction * plant.friction, plant.breakaway);
 }
 
 /// Enough for friction and some load, not enough to fly past the target.
@@ -101,14 +126,15 @@ bool hasFrictionHelp(const Family &family)
 }
 
 RestingError restingError(
-    const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds)
+    Mode loop, const LoopShape &shape, const PlantModel &plant, const ContinuousGains &gains, double seconds)
 {
     using Below = RestingError::Below;
-    const LoopScale &scale = *family.loop;
+    if (loop == Mode::Position && shape.leastOutput > plant.friction)
+        return {shape.goodEnough, Below::Allowed};
     const double held = deadband(plant, gains);
     if (gains.i <= 0.0)
         return {held, Below::Motor};
-    const double unmoved = scale.integralStep / scale.fullDuty / (gains.i * scale.cycle);
+    const double unmoved = shape.integralStep / (gains.i * shape.period);
     if (loop != Mode::Position)
         return {unmoved, Below::Integral};
     const double late = plant.friction / (gains.p + gains.i * stillSeconds * seconds);
@@ -125,7 +151,7 @@ void addFrictionHelp(const Family &family, Mode loop, int axis, int slot, const 
         addNumber(family, windup, std::round(windupOf(plant) * family.loop->fullDuty), into);
     if (!hasFrictionHelp(family))
         return;
-    const double push = isPosition ? std::round(helpOverFriction * plant.friction * family.loop->fullDuty) : 0.0;
+    const double push = isPosition ? std::round(helpOf(plant) * family.loop->fullDuty) : 0.0;
     addNumber(family, row(Role::LeastForward), push, into);
     addNumber(family, row(Role::LeastReverse), 0.0 - push, into);
     if (isPosition)
@@ -141,6 +167,28 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
         = std::ranges::any_of(into.rows, [](const ScaledGains::Row &row) { return row.role == Role::AllowableError; });
     if (!isHelped)
         addNumber(family, parameterOf(family, loop, axis, slot, Role::AllowableError), 0.0, into);
+}
+
+bool hasOutputLimits(const Family &family)
+{
+    return hasRole(family, Role::MostForward);
+}
+
+void limitOutput(
+    const Family &family, Mode loop, int axis, int slot, double duty, const KnownGains &now, ScaledGains &into)
+{
+    if (duty >= 1.0)
+        return;
+    for (const auto &[role, sign] : {std::pair(Role::MostForward, 1.0), std::pair(Role::MostReverse, -1.0)}) {
+        const auto index = parameterOf(family, loop, axis, slot, role);
+        if (!index)
+            continue;
+        const auto own = std::ranges::find(now, family.parameters[index->value].key, &KnownGains::value_type::first);
+        double most = std::floor(duty * family.loop->fullDuty);
+        if (own != now.end() && own->second)
+            most = std::min(most, std::abs(*own->second));
+        addNumber(family, index, most > 0.0 ? sign * most : 0.0, into);
+    }
 }
 
 VelocityTaking velocityTaking(const Device &device, double speed, const std::optional<VelocityFilter> &found)
@@ -177,10 +225,44 @@ LoopShape shapeOf(
     if (loop == Mode::Position && hasRole(family, Role::IntegralLimit))
         shape.integralMost = windupOf(plant);
     if (loop == Mode::Position && hasFrictionHelp(family)) {
-        shape.leastOutput = helpOverFriction * plant.friction;
+        shape.leastOutput = helpOf(plant);
         shape.goodEnough = goodEnough;
     }
     return shape;
+}
+
+double proofHold(Mode loop, const ContinuousGains &gains, const Prediction &predicted)
+{
+    const double settle = predicted.metrics.settle.value_or(unknownSettle);
+    if (loop == Mode::Current)
+        return std::clamp(currentSettles * settle, leastCurrent, longestCurrent);
+    const double creeps = loop == Mode::Velocity && gains.i > 0.0 ? gains.p / gains.i : 0.0;
+    const double least = predicted.shape.windowCounts > 0.0 ? countedProof : leastProof;
+    return std::clamp(std::max(std::min(proofSettles * settle, settle + slowProof), proofCreeps * creeps) + proofRest,
+        least, longestProof);
+}
+
+double wayOfProof(const PlantModel &plant, double step, double hold, int repeats)
+{
+    return std::abs(step) * (repeats * hold + plant.tau + stopsLate);
+}
+
+int repeatsWithin(
+    const std::optional<double> &room, Mode loop, const PlantModel &plant, double step, double hold, int asked)
+{
+    if (loop != Mode::Velocity || !room)
+        return asked;
+    int repeats = asked;
+    while (repeats > 1 && wayOfProof(plant, step, hold, repeats) > roomOfProof * *room)
+        --repeats;
+    return repeats;
+}
+
+double leastProofStep(const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains)
+{
+    if (loop == Mode::Position)
+        return std::max(leastDeadbands * deadband(plant, gains), leastReadings * goodEnough);
+    return std::max(leastReadings / family.loop->velocityTime, leastOfFriction * plant.gain * plant.friction);
 }
 
 Metrics worseOf(const std::vector<Trial> &trials)

@@ -3,7 +3,7 @@
 
 #include "experiment/trial.h"
 #include "tuning/gainscale.h"
-#include "tuning/simulatedloop.h"
+#include "tuning/prediction.h"
 #include "tuning/velocityfilter.h"
 
 #include <vector>
@@ -31,6 +31,12 @@ void addFrictionHelp(const Family &family, Mode loop, int axis, int slot, const 
 /// would leave too little to hold a speed or a current.
 void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into);
 
+/// A slot of the device bounds the output of its loop.
+[[nodiscard]] bool hasOutputLimits(const Family &family);
+/// Has the device keep its loop to this duty, where its slot has such limits; `now` is what the slot has: a narrower one stays.
+void limitOutput(
+    const Family &family, Mode loop, int axis, int slot, double duty, const KnownGains &now, ScaledGains &into);
+
 /// How a velocity loop takes its velocity at a speed, counts/s: as the family tells, else as it was found out.
 [[nodiscard]] VelocityTaking velocityTaking(
     const Device &device, double speed, const std::optional<VelocityFilter> &found);
@@ -39,6 +45,18 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
 [[nodiscard]] LoopShape shapeOf(
     const Family &family, Mode loop, const PlantModel &plant, const Envelope &envelope, const VelocityTaking &taking);
 
+/// s that a proof holds a step of these gains, so that it settles even where it takes longer than predicted.
+[[nodiscard]] double proofHold(Mode loop, const ContinuousGains &gains, const Prediction &predicted);
+/// Counts that a velocity loop goes one way in so many holds of a step, until it is stopped.
+[[nodiscard]] double wayOfProof(const PlantModel &plant, double step, double hold, int repeats);
+
+/// How often a velocity loop has room for it, of `asked` times: once at least. Any other loop as often as that.
+[[nodiscard]] int repeatsWithin(
+    const std::optional<double> &room, Mode loop, const PlantModel &plant, double step, double hold, int asked);
+/// The smallest step that tells anything of a velocity or position loop: beyond friction, and of some steps of what is read.
+[[nodiscard]] double leastProofStep(
+    const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains);
+
 /// Of each metric the worse of the trials; nothing where one of them has none.
 [[nodiscard]] Metrics worseOf(const std::vector<Trial> &trials);
 
@@ -46,15 +64,17 @@ void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGai
 struct RestingError {
     enum class Below {
         Motor,    ///< what P makes of it does not move the motor
+        Allowed,  ///< it is good enough: the device does nothing about it
         Integral, ///< it adds nothing to the integral
         Time,     ///< the integral takes longer than a hold to overcome friction
     };
     double error = 0.0; ///< in the unit of the loop
     Below below = Below::Motor;
 };
-/// After so many seconds. A position whose integral does not move is left where friction holds P; a velocity is left to P alone.
+/// After so many seconds. A position whose integral does not move is left where friction holds P, or where it is good enough for a least
+/// output that overcomes friction; a velocity is left to P alone.
 [[nodiscard]] RestingError restingError(
-    const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
+    Mode loop, const LoopShape &shape, const PlantModel &plant, const ContinuousGains &gains, double seconds);
 
 /// Share of its step that a current is from its target at the end, of the mean of all steps of a trial, the worst of the trials: one sample
 /// is a whole step of its reading.

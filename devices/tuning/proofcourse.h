@@ -6,8 +6,6 @@
 
 namespace mb::tuning {
 
-/// s that a proof holds a step of these gains, so that it settles even where it takes longer than predicted.
-[[nodiscard]] double proofHold(Mode loop, const ContinuousGains &gains, const Prediction &predicted);
 /// s of an experiment in one direction with so many such steps, at most.
 [[nodiscard]] double proofSeconds(double hold, int repeats);
 /// Steps each way of a loop that is not that of a current, where there is time for them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/proposals.h"
 
+#include "experiment/envelope.h"
 #include "experiment/figures.h"
 #include "experiment/seconds.h"
 #include "model/family.h"
@@ -21,7 +22,7 @@ namespace {
 constexpr double integralShare = 0.1; ///< weight of the integral where friction must be overcome by it
 constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
 constexpr double usualMsOff = 1.88;   ///< and of a motor not quite as it says; 1.9, less what that is off by
-constexpr double briskMs = 1.7;
+constexpr double briskMs = largestMs;
 constexpr double briskMsOff = 2.3;
 constexpr double currentOfStall = 0.15;   ///< that a proof of a current loop asks for
 constexpr double clearCurrent = 1.5;      ///< A, or this much
@@ -30,6 +31,8 @@ constexpr double currentPrediction = 0.2; ///< s
 constexpr double longestShown = 30.0;     ///< s
 constexpr int smallerSteps = 32;
 constexpr double vanishedStep = 1.0;      ///< that is none any more
+constexpr double dutyOfStep = 0.95;       ///< of what is allowed, that a step of a loop which nothing bounds puts out
+constexpr double wayOfStep = 0.6;         ///< of the travel, that it goes one way at most
 constexpr double overshootOfDoubt = 0.02; ///< more than of the model itself, as the search allows
 constexpr double lessForRounding = 0.995; ///< where rounding has taken a margin
 constexpr int mostRoundings = 40;
@@ -61,13 +64,30 @@ double overshootOf(Mode loop, const ProposalWish &wish)
     return std::array<double, 3>{0.005, 0.03, 0.035}[static_cast<std::size_t>(wish.aim)] + (more ? 0.01 : 0.0);
 }
 
+double allowedDuty(const ProposalBasis &basis)
+{
+    return basis.envelope.duty.value_or(1.0);
+}
+
+/// Duty that the unit keeps its loop to: what its slot is told with the gains, else a limit that it has.
+double heldDuty(const ProposalBasis &basis)
+{
+    if (basis.scale || !basis.family.trials || hasOutputLimits(basis.family))
+        return allowedDuty(basis);
+    const Envelope own = ownLimits(basis.family, basis.entries, basis.axis, basis.slot, 0.0);
+    return std::max(own.duty.value_or(1.0), allowedDuty(basis));
+}
+
 LoopShape shapeOf(const ProposalBasis &basis)
 {
-    if (basis.family.loop && !basis.scale && basis.loop != Mode::Current)
-        return tuning::shapeOf(basis.family, basis.loop, basis.plant, basis.envelope, basis.taking);
+    if (basis.family.loop && !basis.scale && basis.loop != Mode::Current) {
+        Envelope held = basis.envelope;
+        held.duty = heldDuty(basis);
+        return tuning::shapeOf(basis.family, basis.loop, basis.plant, held, basis.taking);
+    }
     LoopShape plain;
     plain.period = predictionPeriod(basis);
-    plain.mostDuty = basis.envelope.duty.value_or(1.0);
+    plain.mostDuty = heldDuty(basis);
     plain.isCounted = basis.scale.has_value();
     if (basis.scale) {
         plain.setPointRate = basis.scale->rate;
@@ -118,6 +138,12 @@ ContinuousGains leastOf(const ProposalBasis &basis, const ContinuousGains &gains
     return least;
 }
 
+void limitOutput(const ProposalBasis &basis, ScaledGains &into)
+{
+    const KnownGains now = knownGains(basis.family, basis.loop, basis.axis, basis.slot, basis.entries);
+    tuning::limitOutput(basis.family, basis.loop, basis.axis, basis.slot, allowedDuty(basis), now, into);
+}
+
 /// With what a loop needs beside its gains.
 Result<ScaledGains> parametersOf(const ProposalBasis &basis, const Design &design)
 {
@@ -126,6 +152,7 @@ Result<ScaledGains> parametersOf(const ProposalBasis &basis, const Design &desig
     if (scaled) {
         addFrictionHelp(basis.family, basis.loop, basis.axis, basis.slot, basis.plant, *scaled);
         freeIntegral(basis.family, basis.loop, basis.axis, basis.slot, *scaled);
+        limitOutput(basis, *scaled);
     }
     return scaled;
 }
@@ -158,7 +185,7 @@ MsBounds msBoundsOf(const ProposalWish &wish)
 {
     const bool brisk = wish.aim == Aim::Brisk && !wish.ms;
     const double model = wish.ms.value_or(brisk ? briskMs : usualMs);
-    return {model, model * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs)};
+    return {model, std::min(model * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs), briskMsOff)};
 }
 
 double predictionPeriod(const ProposalBasis &basis)
@@ -190,8 +217,62 @@ Result<void> lessenForRounding(const ProposalBasis &basis, const PlantModel &pla
         say("take a finer encoder or a calmer loop"));
 }
 
-/// Parameters, margins and prediction of designed gains; a step that would draw more than its limit is made smaller. A current loop makes
-/// the step of its own plant.
+/// What a step makes of something that is bounded, over what it may.
+struct Need {
+    double share = 0.0;
+    double least = 0.0; ///< step, below which there is none
+    Error refusal{};
+};
+
+Need needOfCurrent(const ProposalBasis &basis, const Proposal &proposal)
+{
+    const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
+    return {proposal.predicted.metrics.peakCurrent.value_or(0.0) / most, vanishedStep,
+        Error{Fault::OutOfRange, say("any step of these gains draws more than the %1 A that are allowed", most),
+            say("allow more current or aim for a calmer loop")}};
+}
+
+double peakDuty(const Prediction &predicted)
+{
+    double peak = 0.0;
+    for (const double duty : predicted.duty.y)
+        peak = std::max(peak, std::abs(duty));
+    return peak;
+}
+
+/// Where nothing in the unit keeps its loop to the duty that is allowed.
+Need needOfDuty(const ProposalBasis &basis, const Proposal &proposal)
+{
+    const double most = allowedDuty(basis);
+    if (heldDuty(basis) <= most)
+        return {};
+    const double peak = peakDuty(proposal.predicted);
+    const double least = leastProofStep(basis.family, basis.loop, basis.plant, proposal.gains.made);
+    return {peak / (dutyOfStep * most), least,
+        Error{Fault::OutOfRange,
+            say("the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no "
+                "limit of its own that keeps it to them",
+                percentText(std::min(peak * least / proposal.step / dutyOfStep, 1.0)), percentText(most)),
+            say("allow more duty or aim for a calmer loop")}};
+}
+
+/// Of a velocity loop, which goes on one way as long as its step is held.
+Need needOfTravel(const ProposalBasis &basis, const Proposal &proposal)
+{
+    if (basis.loop != Mode::Velocity || !basis.envelope.travel)
+        return {};
+    const double hold = proofHold(basis.loop, proposal.gains.made, proposal.predicted);
+    const double way = wayOfProof(basis.plant, proposal.step, hold, 1) / wayOfStep;
+    const double least = leastProofStep(basis.family, basis.loop, basis.plant, proposal.gains.made);
+    return {way / *basis.envelope.travel, least,
+        Error{Fault::OutOfRange,
+            say("the smallest step that proves these gains takes %1 counts of travel, %2 are allowed",
+                std::ceil(way * least / proposal.step), *basis.envelope.travel),
+            say("allow more travel")}};
+}
+
+/// Parameters, margins and prediction of designed gains; a step that would draw more than its limit, put out more or go farther is made
+/// smaller. A current loop makes the step of its own plant.
 Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
 {
     const PlantModel &plant = basis.plant;
@@ -203,19 +284,20 @@ Result<void> finish(const ProposalBasis &basis, double step, Proposal &proposal)
     proposal.profile = profileOf(basis);
     proposal.step = basis.loop == Mode::Current ? usualStep(basis, gains) : step;
     const double seconds = secondsOfPrediction(basis);
+    Need worst = needOfCurrent(basis, proposal);
     const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
     const double breaksLoose = plant.stallCurrent * plant.friction; // A: with less it stands
     for (int i = 0; i < smallerSteps && breaksLoose < most; ++i) {
         proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, shape);
-        const double peak = proposal.predicted.metrics.peakCurrent.value_or(0.0);
-        if (peak <= most)
+        worst = std::max({needOfCurrent(basis, proposal), needOfDuty(basis, proposal), needOfTravel(basis, proposal)},
+            [](const Need &a, const Need &b) { return a.share < b.share; });
+        if (worst.share <= 1.0)
             return {};
-        proposal.step = std::round(0.98 * proposal.step * most / peak);
-        if (proposal.step < vanishedStep)
+        proposal.step = std::round(0.98 * proposal.step / worst.share);
+        if (proposal.step < worst.least)
             break;
     }
-    return fail(Fault::OutOfRange, say("any step of these gains draws more than the %1 A that are allowed", most),
-        say("allow more current or aim for a calmer loop"));
+    return tl::unexpected(worst.refusal);
 }
 
 } // namespace
@@ -264,8 +346,10 @@ Message beyondBounds(const ProposalBasis &basis, const Proposal &former)
     const Metrics &metrics = former.predicted.metrics;
     if (const double share = metrics.overshoot.value_or(1.0); share > overshootOf(basis.loop, wish) + overshootOfDoubt)
         return say("they would overshoot by %1", percentText(share));
-    if (metrics.peakCurrent.value_or(0.0) > basis.envelope.current.value_or(std::numeric_limits<double>::infinity()))
+    if (needOfCurrent(basis, former).share > 1.0)
         return say("they would draw more current than is allowed");
+    if (needOfDuty(basis, former).share > 1.0)
+        return say("they would put out more duty than is allowed");
     return {};
 }
 
@@ -276,6 +360,7 @@ std::optional<FormerProposal> formerProposal(const ProposalBasis &basis, const K
     auto made = gainsMadeBy(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, numbers, basis.scale);
     if (!made || made->made.p <= 0.0)
         return std::nullopt;
+    limitOutput(basis, *made);
     FormerProposal former;
     Proposal &proposal = former.proposal;
     proposal.design.gains = made->made;
@@ -319,7 +404,7 @@ Task<std::vector<Result<Proposal>>> designed(Device &device, ProposalBasis basis
     const std::function<Result<Designs>()> work
         = [basis, profile = basis.profile, wishes = std::move(wishes)]() -> Result<Designs> {
         const ProposalBasis own{basis.family, profile, basis.loop, basis.axis, basis.slot, basis.plant, basis.envelope,
-            basis.scale, basis.taking};
+            basis.scale, basis.taking, basis.entries};
         Designs designs;
         for (const ProposalWish &wish : wishes)
             designs.push_back(proposalFor(own, wish));

@@ -22,7 +22,11 @@ struct ProposalBasis {
     Envelope envelope;               ///< in force: what the step may use
     std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
     VelocityTaking taking{};         ///< of a velocity loop, where it is known
+    /// Of the unit, in table order, as far as they are known: what bounds its output by itself.
+    std::vector<ParameterStore::Entry> entries{};
 };
+
+constexpr double largestMs = 1.7; ///< sensitivity of any set, on the model
 
 /// What one set is to be like: an aim, or numbers in its place.
 struct ProposalWish {

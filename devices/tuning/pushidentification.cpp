@@ -269,6 +269,9 @@ Result<void> PushIdentification::conclude(AutotuneRun &run, MotorFound found) co
     PlantModel plant{found.line.gain, found.pushes.tau, delay, found.line.friction, found.braking};
     plant.sag = found.pushes.sag;
     plant.warming = found.pushes.warming;
+    if (found.ramp && found.ramp->agreesWith(found.line.gain))
+        plant.breakaway = std::max(found.ramp->forward.breakaway + found.ramp->forward.breakawayError,
+            found.ramp->reverse.breakaway + found.ramp->reverse.breakawayError);
     if (const auto ohm = drawnBy(m_pushes)) {
         plant.stallCurrent = ohm->gain;
         plant.backDuty = ohm->back;

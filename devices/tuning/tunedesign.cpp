@@ -39,8 +39,9 @@ ProposalBasis TuneDesign::basis() const
 {
     const Device &device = m_run.device();
     const TuneReport &report = m_run.report();
+    const auto entries = device.parameters().entries();
     return {device.family(), device.knowledge().profile(), m_plan.loop, m_plan.axis, m_plan.slot, report.plant,
-        m_run.envelope(), report.scale, report.taking};
+        m_run.envelope(), report.scale, report.taking, {entries.begin(), entries.end()}};
 }
 
 /// What is compared with a proof makes the same step.
@@ -230,7 +231,7 @@ void TuneDesign::takeTheBetter()
     const double less = held ? errorRatio(report.proof, m_held->proof, shape) : 1.0;
     const bool better = held && isBetter(report.proof, m_held->proof, shape);
     if (m_former == Former::Tried)
-        m_former = less < 1.0 ? Former::Better : Former::Worse;
+        m_former = less < 1.0 ? Former::Better : m_givenUp.empty() ? Former::Worse : Former::Untold;
     else if (m_former == Former::Better && less < 1.0)
         m_former = Former::Worse;
     if (less < 1.0)
@@ -258,25 +259,20 @@ Message TuneDesign::story() const
         return say(
             "those that were found left more error: these, which were there, leave %1 of it", percentText(m_less));
     Message told;
+    const auto tell = [&told](const Message &more) { told = told.empty() ? more : joined(told, more); };
     if (!m_before.empty())
-        told = m_isCalmed ? say("these are the calm gains, %1", m_before)
-                          : say("their model was corrected by a step, %1", m_before);
-    if (m_less > 0.0) {
-        const Message less
-            = say("those that were proven first left more error, these leave %1 of it", percentText(m_less));
-        told = told.empty() ? less : joined(told, less);
-    }
-    if (m_isLevel) {
-        const Message level
-            = say("their model was corrected by those that were proven first, which left no clearly more error");
-        told = told.empty() ? level : joined(told, level);
-    }
-    if (m_former == Former::Worse) {
-        const Message worse = say("those that were there leave more error");
-        told = told.empty() ? worse : joined(told, worse);
-    }
+        tell(m_isCalmed ? say("these are the calm gains, %1", m_before)
+                        : say("their model was corrected by a step, %1", m_before));
+    if (m_less > 0.0)
+        tell(say("those that were proven first left more error, these leave %1 of it", percentText(m_less)));
+    if (m_isLevel)
+        tell(say("their model was corrected by those that were proven first, which left no clearly more error"));
+    if (m_former == Former::Worse)
+        tell(say("those that were there leave more error"));
     if (!m_beyond.empty())
-        told = told.empty() ? m_beyond : joined(told, m_beyond);
+        tell(m_beyond);
+    if (!m_givenUp.empty())
+        tell(say("others that may leave less error were given up: %1", m_givenUp));
     return told;
 }
 

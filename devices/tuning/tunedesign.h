@@ -33,6 +33,9 @@ public:
     /// error.
     void takeTheBetter();
 
+    /// What sharpen() or recallFormer() proposed was not proven to its end, and why: it ends with what was proven before.
+    void giveUp(Message why) { m_givenUp = std::move(why); }
+
     /// What gains did that were proven before these; empty: none were, or they held.
     [[nodiscard]] const Message &before() const { return m_before; }
     /// How these came to be, where they are not the first proposal; empty: they are.
@@ -41,7 +44,7 @@ public:
     [[nodiscard]] bool isFormer() const { return m_former == Former::Better; }
 
 private:
-    enum class Former { Untried, Tried, Better, Worse };
+    enum class Former { Untried, Tried, Better, Worse, Untold };
 
     [[nodiscard]] ProposalBasis basis() const;
     [[nodiscard]] ProposalWish wishFor(Aim aim) const;
@@ -66,6 +69,7 @@ private:
     bool m_isLevel = false; ///< what was tried beside them is kept though noise does not tell which is better
     Former m_former = Former::Untried;
     Message m_before;
+    Message m_givenUp;                ///< why what was tried beside these was not proven to its end; empty: it was
     Message m_beyond;                 ///< why what was there was not tried, though it might be better
     std::optional<TuneReport> m_held; ///< what was proven, while something better is tried
 };

@@ -3,6 +3,7 @@
 
 #include "async/sleep.h"
 #include "experiment/envelope.h"
+#include "experiment/figures.h"
 #include "experiment/gains.h"
 #include "experiment/owedgains.h"
 #include "experiment/verdict.h"
@@ -43,6 +44,8 @@ Message tellRest(Mode loop, const RestingError &rests)
         return say("it may rest %1 short of its target, less does not move its integral", error);
     case RestingError::Below::Time:
         return say("it may rest %1 short of its target until its integral has overcome friction", error);
+    case RestingError::Below::Allowed:
+        return say("it may rest %1 short of its target, which its allowable error lets it", error);
     case RestingError::Below::Motor: break;
     }
     return say("it may rest %1 short of its target, less does not move its motor", error);
@@ -60,6 +63,8 @@ TuneProof::TuneProof(AutotuneRun &run, const TuneDesign &design)
     : m_run(run)
     , m_design(design)
     , m_slot(run.device().family().capabilities.gainSlots > 1 ? 1 - run.plan().slot : run.plan().slot)
+    , m_heat(run.report().motor ? run.report().motor->heat : 0.0)
+    , m_mayStay(run.plan().keep && replacesUnknown(run.report()) && m_slot == run.plan().slot) // else they are put back
 {
 }
 
@@ -71,7 +76,7 @@ RestingError TuneProof::resting() const
         return {droopOf(report.proof, report.plant, report.proposed.made)};
     if (report.scale)
         return {deadband(report.plant, report.proposed.made)};
-    return restingError(m_run.device().family(), loop, report.plant, report.proposed.made, hold());
+    return restingError(loop, report.predicted->shape, report.plant, report.proposed.made, hold());
 }
 
 /// Counts/s; 0: targets are steps.
@@ -87,14 +92,16 @@ double TuneProof::hold() const
     return proofHold(m_run.plan().loop, report.proposed.made, *report.predicted);
 }
 
-/// As many as take the noise out of a current, of other loops two; or as there is time for, of what is left for each way.
-int TuneProof::repeats() const
+/// As many as take the noise out of a current, of other loops two; or as there is time for, of what is left for each way, and room.
+int TuneProof::repeats(double sign) const
 {
     const TuneReport &report = m_run.report();
     const bool isCurrent = m_run.plan().loop == Mode::Current;
     const double room = m_run.left() / (report.proof.empty() ? 2.0 : 1.0);
     const double fit = (room - proofSeconds(hold(), 0)) / (proofSeconds(hold(), 1) - proofSeconds(hold(), 0));
-    const int asked = isCurrent ? currentRepeats(report.plant.noise, report.step) : usualProofs;
+    const int asked = isCurrent
+        ? currentRepeats(report.plant.noise, report.step)
+        : repeatsWithin(m_run.room(sign), m_run.plan().loop, report.plant, report.step, hold(), usualProofs);
     return std::clamp(static_cast<int>(fit), isCurrent ? currentRepeats(0.0, 1.0) : 1, asked);
 }
 
@@ -146,7 +153,7 @@ ExperimentPlan TuneProof::planOf(double sign) const
     ExperimentPlan plan;
     plan.mode = loop;
     plan.slot = m_slot;
-    plan.repeat = repeats();
+    plan.repeat = repeats(sign);
     plan.seconds = hold();
     plan.rest = m_run.report().predicted->shape.windowCounts > 0.0 ? countedRest : 0.0;
     plan.noise = m_run.report().plant.noise;
@@ -210,17 +217,23 @@ Message TuneProof::withDerivative(Message why) const
     return joined(why, say("perhaps its D acts the other way round than in the firmware that is known"));
 }
 
+/// What is predicted to do more than it may needs no motion to be put back.
+Result<void> TuneProof::checkPromise() const
+{
+    const TuneReport &report = m_run.report();
+    const double overshoot = report.predicted->metrics.overshoot.value_or(0.0);
+    const double most = proofLimits(report.predicted->metrics, report.step, 0.0).overshoot;
+    if (overshoot <= most)
+        return {};
+    return fail(Fault::OutOfRange,
+        say("these gains would overshoot by %1, and at most %2 are kept", percentText(overshoot), percentText(most)),
+        say("take a larger response"));
+}
+
 Task<void> TuneProof::prove()
 {
     TuneReport &report = m_run.report();
-    if (!std::exchange(m_isRead, true)) { // later those of a proposal may be in force
-        const TunePlan &plan = m_run.plan();
-        report.before = co_await readGains(m_run.device(), plan.loop, plan.axis, plan.slot);
-        const bool unknown
-            = std::ranges::any_of(report.before, [](const auto &gain) { return !gain.second.has_value(); });
-        m_mayStay = plan.keep && unknown && m_slot == plan.slot; // else they are put back
-        m_heat = report.motor ? report.motor->heat : 0.0;
-    }
+    co_await checkPromise();
     report.heat = m_heat;
     sumOver(*report.predicted, m_run.plan().loop, m_run.report().step, hold());
     for (const double sign : {1.0, -1.0}) {

@@ -11,7 +11,7 @@ namespace mb::tuning {
 class AutotuneRun;
 class TuneDesign;
 
-/// Puts the proposal of a tuning to the proof on its motor, and keeps what was proven.
+/// Puts the proposal of a tuning to the proof on its motor, and keeps what was proven. Begins when the report has what was there before.
 class TuneProof {
 public:
     TuneProof(AutotuneRun &run, const TuneDesign &design);
@@ -30,9 +30,10 @@ public:
 private:
     [[nodiscard]] double profileRate() const;
     [[nodiscard]] double hold() const;
-    [[nodiscard]] int repeats() const;
+    [[nodiscard]] int repeats(double sign) const;
     [[nodiscard]] double target(double sign) const;
     [[nodiscard]] RestingError resting() const;
+    [[nodiscard]] Result<void> checkPromise() const;
     [[nodiscard]] Result<void> checkPass();
     [[nodiscard]] Message withDerivative(Message why) const;
     [[nodiscard]] Message shortcoming();
@@ -43,11 +44,10 @@ private:
 
     AutotuneRun &m_run;
     const TuneDesign &m_design;
-    int m_slot;             ///< that it is proven in
-    bool m_isRead = false;  ///< the gains that it replaces are known
-    double m_heat = 0.0;    ///< in the winding (windingheat.h)
-    bool m_mayStay = false; ///< nobody knows them, and nobody minds
-    Message m_unreleased;   ///< why the notebook still owes what was there before; empty: it does not
+    int m_slot;           ///< that it is proven in
+    double m_heat;        ///< in the winding (windingheat.h)
+    bool m_mayStay;       ///< nobody knows the gains that it replaces, and nobody minds
+    Message m_unreleased; ///< why the notebook still owes what was there before; empty: it does not
 };
 
 } // namespace mb::tuning

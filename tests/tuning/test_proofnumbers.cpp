@@ -4,6 +4,7 @@
 #include "model/registry.h"
 #include "support/simulatedsession.h"
 #include "tuning/adviser.h"
+#include "tuning/modelnumbers.h"
 #include "tuning/proof.h"
 #include "tuning/uncertainty.h"
 
@@ -44,17 +45,17 @@ TEST(ProofNumbers, AStepOfAPositionIsClearOfFrictionAndOfItsCountsAndWithinItsTr
 
 TEST(ProofNumbers, WithoutAnIntegralFrictionHoldsWhatPDoesNotOvercome)
 {
-    const Family &family = provenFamily("dmc60c");
+    const LoopShape exact;
     const PlantModel plant{50'000.0, 0.1, 0.0, 0.05};
     using Below = RestingError::Below;
-    const RestingError held = restingError(family, Mode::Position, plant, {0.001}, 2.0);
+    const RestingError held = restingError(Mode::Position, exact, plant, {0.001}, 2.0);
     EXPECT_DOUBLE_EQ(held.error, 50.0);
     EXPECT_EQ(held.below, Below::Motor);
     // with one, half of the time adds to P
-    const RestingError late = restingError(family, Mode::Position, plant, {0.001, 0.004}, 2.0);
+    const RestingError late = restingError(Mode::Position, exact, plant, {0.001, 0.004}, 2.0);
     EXPECT_DOUBLE_EQ(late.error, 0.05 / (0.001 + 0.004));
     EXPECT_EQ(late.below, Below::Time);
-    EXPECT_EQ(restingError(family, Mode::Velocity, plant, {0.001, 0.004}, 2.0).error, 0.0) << "an exact integral";
+    EXPECT_EQ(restingError(Mode::Velocity, exact, plant, {0.001, 0.004}, 2.0).error, 0.0) << "an exact integral";
 }
 
 TEST(ProofNumbers, AnIntegralOfWholeStepsThatDoesNotMoveLeavesAPositionWhereFrictionHoldsP)
@@ -66,7 +67,9 @@ TEST(ProofNumbers, AnIntegralOfWholeStepsThatDoesNotMoveLeavesAPositionWhereFric
     ASSERT_NE(coarse, families().end());
     const LoopScale &scale = *(*coarse)->loop;
     const double unmoved = scale.integralStep / scale.fullDuty / (0.004 * scale.cycle);
-    const auto rest = [&](Mode loop, double p) { return restingError(**coarse, loop, plant, {p, 0.004}, 2.0); };
+    const auto rest = [&](Mode loop, double p) {
+        return restingError(loop, shapeOf(**coarse, loop, plant, {}, {}), plant, {p, 0.004}, 2.0);
+    };
     EXPECT_DOUBLE_EQ(rest(Mode::Velocity, 0.001).error, unmoved);
     EXPECT_EQ(rest(Mode::Velocity, 0.001).below, Below::Integral);
     EXPECT_DOUBLE_EQ(rest(Mode::Position, 0.01).error, 5.0) << unmoved << ": P has moved it before";
@@ -95,6 +98,17 @@ TEST(ProofNumbers, FrictionHelpIsAQuarterMoreThanFrictionAndFourCounts)
     const LoopShape shape = shapeOf(family, Mode::Position, plant, {}, {});
     EXPECT_DOUBLE_EQ(shape.leastOutput, 0.05);
     EXPECT_DOUBLE_EQ(shape.goodEnough, 4.0);
+    const RestingError rests = restingError(Mode::Position, shape, plant, {0.001}, 2.0);
+    EXPECT_DOUBLE_EQ(rests.error, 4.0) << "the help moves it where P alone would not";
+    EXPECT_EQ(rests.below, RestingError::Below::Allowed);
+    LoopShape weak = shape;
+    weak.leastOutput = 0.9 * plant.friction;
+    EXPECT_DOUBLE_EQ(restingError(Mode::Position, weak, plant, {0.001}, 2.0).error, 40.0);
+    PlantModel sticky = plant;
+    sticky.breakaway = 0.07;
+    EXPECT_DOUBLE_EQ(shapeOf(family, Mode::Position, sticky, {}, {}).leastOutput, 0.07) << "it lets go later";
+    sticky.breakaway = 0.045;
+    EXPECT_DOUBLE_EQ(shapeOf(family, Mode::Position, sticky, {}, {}).leastOutput, 0.05);
     EXPECT_EQ(shape.mostDuty, 1.0);
     EXPECT_DOUBLE_EQ(shape.outputStep, 1.0 / family.loop->fullDuty);
     EXPECT_TRUE(shape.isCounted);
@@ -239,14 +253,67 @@ TEST(PredictionBands, AreTheEnvelopeOfAllCornersAndKeepATwentiethOfALag)
     const Trace quick = predictStep(Mode::Velocity, {1000.0, 0.01, 0.02, 0.0}, gains, 0.0, 100.0, 0.51, shape).measured;
     EXPECT_GE(wide.high.y[7], quick.y[7] - 1e-9);
     EXPECT_LE(wide.low.y[7], quick.y[7] + 1e-9);
-    EXPECT_EQ(errorsOf(std::nullopt).tau, 0.0);
-    MotorFound motor;
+}
+
+TuneReport reportOn(const PlantModel &found)
+{
+    TuneReport report;
+    report.plant = found;
+    MotorFound &motor = report.motor.emplace();
+    motor.plant = found;
     motor.line.gainError = 1.0;
-    motor.pushes.tauError = 2.0;
-    motor.pushes.delayError = 3.0;
-    EXPECT_EQ(errorsOf(motor).gain, 1.0);
-    EXPECT_EQ(errorsOf(motor).tau, 2.0);
-    EXPECT_EQ(errorsOf(motor).delay, 3.0);
+    motor.line.frictionError = 0.001;
+    motor.pushes.tauError = 0.002;
+    motor.pushes.delayError = 0.003;
+    return report;
+}
+
+TEST(PlantErrors, AreThoseOfThePushesOrAsMuchAsStepsHaveCorrectedTheModel)
+{
+    TuneReport report = reportOn({1000.0, 0.1, 0.02, 0.05});
+    EXPECT_EQ(errorsOf(report), (PlantErrors{1.0, 0.002, 0.003, 0.001}));
+    report.plant = {1020.0, 0.1005, 0.03, 0.04};
+    const PlantErrors corrected = errorsOf(report);
+    EXPECT_DOUBLE_EQ(corrected.gain, 20.0);
+    EXPECT_DOUBLE_EQ(corrected.tau, 0.002);
+    EXPECT_NEAR(corrected.delay, 0.01, 1e-12);
+    EXPECT_NEAR(corrected.friction, 0.01, 1e-12);
+    const ModelNumbers numbers = modelNumbers(report);
+    EXPECT_EQ(numbers.gain.error, corrected.gain);
+    EXPECT_EQ(numbers.delay.error, corrected.delay);
+    EXPECT_EQ(numbers.friction.error, corrected.friction);
+    report.motor.reset();
+    EXPECT_EQ(errorsOf(report), PlantErrors());
+}
+
+TEST(PlantErrors, OfACurrentLoopAreThoseOfALagThatNobodyHasSeen)
+{
+    TuneReport report = reportOn({100.0, 0.5e-3, 0.75e-3, 0.0});
+    report.loop = Mode::Current;
+    PlantErrors errors = errorsOf(report);
+    EXPECT_NEAR(report.plant.tau + errors.tau, 1.4e-3, 1e-9);
+    EXPECT_NEAR(errors.leastTau, 0.3e-3, 1e-9);
+    report.plant.lagDoubt = 0.2;
+    errors = errorsOf(report);
+    EXPECT_NEAR(errors.tau, 0.1e-3, 1e-9);
+    EXPECT_EQ(errors.leastTau, 0.0);
+}
+
+TEST(PredictionBands, HaveNoLagThatNoMotorHas)
+{
+    const PlantModel plant{100.0, 0.5e-3, 0.75e-3, 0.0};
+    const ContinuousGains gains{0.002, 4.0};
+    const Prediction predicted = predictStep(Mode::Current, plant, gains, 0.0, 4.0, 0.02);
+    const PlantErrors wide{0.0, 0.9e-3, 0.0};
+    PlantErrors bound = wide;
+    bound.leastTau = 0.3e-3;
+    const PredictionBand any = bandOf(predicted, Mode::Current, plant, wide, gains, 4.0);
+    const PredictionBand real = bandOf(predicted, Mode::Current, plant, bound, gains, 4.0);
+    EXPECT_TRUE(any.low.y != real.low.y || any.high.y != real.high.y);
+    for (std::size_t i = 0; i < real.low.size(); ++i) {
+        EXPECT_LE(real.low.y[i], predicted.measured.y[i]);
+        EXPECT_GE(real.high.y[i], predicted.measured.y[i]);
+    }
 }
 
 } // namespace

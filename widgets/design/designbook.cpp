@@ -22,16 +22,16 @@ const tuning::TuneReport *DesignBook::report() const
     return found == m_kept.reports.end() ? nullptr : &found->second;
 }
 
-/// A proof brings none, and neither does what was stopped before it had one.
+/// What was stopped before it had sets of its own leaves those that were there.
 void DesignBook::keep(const DesignPlace &place, tuning::TuneReport report)
 {
     const auto before = m_kept.reports.find(place);
-    if (before != m_kept.reports.end() && !report.motor) {
+    if (before != m_kept.reports.end() && report.proposals.empty()) {
         report.motor = before->second.motor;
         report.plant = before->second.plant;
         report.scale = before->second.scale;
         report.gates = before->second.gates;
-        report.proposals = before->second.proposals; // what was proven may be the sliders' own
+        report.proposals = before->second.proposals;
         report.envelope = before->second.envelope;
     }
     m_kept.reports[place] = std::move(report);
@@ -79,7 +79,7 @@ tuning::TunePlan DesignBook::plan() const
 tuning::ProposalBasis DesignBook::basisOf(const DeviceView &view, const Envelope &inForce) const
 {
     return {*view.family, view.profile, m_kept.loop, place().axis, choice().slot, report()->plant, inForce,
-        report()->scale, report()->taking};
+        report()->scale, report()->taking, *view.parameters};
 }
 
 } // namespace mb

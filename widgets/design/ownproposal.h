@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tuning/autotune.h"
+#include "tuning/proposals.h"
 #include "widgets/common/card.h"
 
 class QLabel;
@@ -32,7 +33,7 @@ public:
     [[nodiscard]] QString boundText() const;
 
     static constexpr double leastMs = 1.2;
-    static constexpr double mostMs = 2.0;
+    static constexpr double mostMs = tuning::largestMs;
 
 Q_SIGNALS:
     /// By hand; many while dragging.
