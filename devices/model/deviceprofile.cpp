@@ -21,10 +21,9 @@ QJsonValue toJson(const DirectionVerdict &verdict)
     return qt(toString(verdict));
 }
 
-/// A word that is not known does no harm: it is not one of agreement.
 bool fromJson(const QJsonValue &json, DirectionVerdict &verdict)
 {
-    verdict = DirectionVerdict::Unknown;
+    verdict = DirectionVerdict::Foreign;
     for (const auto each : {DirectionVerdict::Agrees, DirectionVerdict::Reversed, DirectionVerdict::NoMotion}) {
         if (json.toString() == qt(toString(each)))
             verdict = each;
@@ -40,6 +39,32 @@ const JsonFields<DeviceProfile> jsonFields<DeviceProfile>{{"dialect", &DevicePro
 namespace {
 
 constexpr std::int64_t greatestProfile = 1 << 20;
+constexpr QLatin1String deviceField("device"); ///< for people who look into the file
+
+/// What `whole` has that `understood` has not; in both, objects are compared by their members.
+QJsonObject beyond(QJsonObject whole, const QJsonObject &understood)
+{
+    for (const QString &key : understood.keys()) {
+        const QJsonObject rest = beyond(whole.value(key).toObject(), understood.value(key).toObject());
+        if (rest.isEmpty())
+            whole.remove(key);
+        else
+            whole.insert(key, rest);
+    }
+    return whole;
+}
+
+/// Both; of what both have, that of `upper`.
+QJsonObject joined(QJsonObject lower, const QJsonObject &upper)
+{
+    for (auto field = upper.begin(); field != upper.end(); ++field) {
+        const bool isObject = field.value().isObject();
+        lower.insert(field.key(),
+            isObject ? QJsonValue(joined(lower.value(field.key()).toObject(), field.value().toObject()))
+                     : field.value());
+    }
+    return lower;
+}
 
 std::optional<DeviceProfile> parse(const QByteArray &bytes)
 {
@@ -49,7 +74,14 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
     if (!document.isObject())
         return std::nullopt;
     DeviceProfile profile;
-    return fromJson(document.object(), profile) ? std::optional(profile) : std::nullopt;
+    if (!fromJson(document.object(), profile))
+        return std::nullopt;
+    std::erase_if(profile.verdicts, [](const auto &row) { return row.second == DirectionVerdict::Foreign; });
+    QJsonObject understood = toJson(profile);
+    understood.insert(deviceField, QString());
+    if (const QJsonObject rest = beyond(document.object(), understood); !rest.isEmpty())
+        profile.foreign = QJsonDocument(rest).toJson(QJsonDocument::Compact).toStdString();
+    return profile;
 }
 
 } // namespace
@@ -57,7 +89,7 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
 std::string_view toString(DirectionVerdict verdict)
 {
     switch (verdict) {
-    case DirectionVerdict::Unknown: return "unknown";
+    case DirectionVerdict::Foreign: break;
     case DirectionVerdict::Agrees: return "agrees";
     case DirectionVerdict::Reversed: return "reversed";
     case DirectionVerdict::NoMotion: return "no motion";
@@ -110,8 +142,9 @@ Result<void> ProfileBook::save(std::string_view key, const DeviceProfile &profil
     if (!QDir().mkpath(qt(m_directory)))
         return fail(
             Fault::OutOfRange, say("%1 cannot be made", m_directory), say("check the rights of the folder above it"));
-    QJsonObject object = toJson(profile);
-    object.insert(QStringLiteral("device"), qt(key));
+    QJsonObject object
+        = joined(QJsonDocument::fromJson(QByteArray::fromStdString(profile.foreign)).object(), toJson(profile));
+    object.insert(deviceField, qt(key));
     return saveFile(pathOf(key), QJsonDocument(object).toJson());
 }
 

@@ -12,7 +12,7 @@
 namespace mb {
 
 /// What a check of the direction of motor and sensor found out.
-enum class DirectionVerdict { Unknown, Agrees, Reversed, NoMotion }; ///< Unknown: the word of another version
+enum class DirectionVerdict { Foreign, Agrees, Reversed, NoMotion }; ///< Foreign: the word of another version
 
 /// Its word in the file.
 [[nodiscard]] std::string_view toString(DirectionVerdict verdict);
@@ -26,6 +26,7 @@ struct DeviceProfile {
     std::set<std::string> lost; ///< keys of `written` that a reset has taken from the device since they were written
     std::map<std::string, std::int64_t> counters;     ///< what a family counts over the life of the device
     std::map<std::string, DirectionVerdict> verdicts; ///< by directionKey(); for people to see
+    std::string foreign; ///< JSON of what the file had beyond that: fields and words of another version, which are kept
 
     [[nodiscard]] double calibrated(std::string_view key, double unknown = 0.0) const
     {

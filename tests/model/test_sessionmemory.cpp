@@ -5,6 +5,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 
 namespace mb {
 namespace {
@@ -62,6 +65,32 @@ TEST_F(SessionLines, WhatAnEarlierBuildKeptOfADeviceIsNotThatOfTheNextAdapterWit
     plug(0, 0);
     links[0] = openLine(0);
     EXPECT_EQ(motorOn(*links[0]).knowledge().profile(), before) << "of its own place";
+}
+
+TEST_F(SessionLines, WhatANewerVersionHasKeptOfADeviceIsStillThereAfterThisOneHasKeptMore)
+{
+    const std::string profiles = folder.path().toStdString() + "/profiles";
+    memory.keepProfiles(profiles);
+    motorOn(*links[0]).knowledge().setCounter("saves", 7);
+    devices.forget(*links[0]);
+    QFile file(QDir(QString::fromStdString(profiles)).entryInfoList(QDir::Files).at(0).filePath());
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    file.write(R"({"verdicts": {"direction": "slips", "ch1.direction": "agrees"}, "wear": {"brush": [1, 2]}})");
+    file.close();
+    WiredMotor &motor = motorOn(*links[0]);
+    motor.knowledge().setVerdict("ch1.direction", DirectionVerdict::Reversed);
+    motor.knowledge().setCounter("saves", 8);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QJsonObject kept = QJsonDocument::fromJson(file.readAll()).object();
+    file.close();
+    EXPECT_EQ(kept["verdicts"]["direction"], QJsonValue("slips")) << "a word that only the newer one knows";
+    EXPECT_EQ(kept["verdicts"]["ch1.direction"], QJsonValue("reversed"));
+    EXPECT_EQ(kept["wear"]["brush"].toArray(), QJsonArray({1, 2}));
+    EXPECT_EQ(kept["counters"]["saves"], QJsonValue(8));
+    motor.knowledge().setVerdict("direction", DirectionVerdict::Agrees);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(QJsonDocument::fromJson(file.readAll())["verdicts"]["direction"], QJsonValue("agrees"))
+        << "found out anew";
 }
 
 TEST_F(SessionLines, OfTwoDevicesWithOneNumberEachHasItsOwnProfile)
