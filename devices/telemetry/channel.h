@@ -28,6 +28,34 @@ struct Channel {
     Quantity quantity = Quantity::Other;
 };
 
+/// How a value stands in front of people: times `scale`, with this unit and so many decimals.
+struct UnitForm {
+    double scale = 1.0;
+    std::string_view text; ///< English; widgets translate it
+    int decimals = 0;      ///< that mean something to a person
+};
+
+/// The one table of that; `unit` as in Channel.
+[[nodiscard]] constexpr UnitForm unitForm(Quantity quantity, std::string_view unit)
+{
+    switch (quantity) {
+    case Quantity::Position:
+    case Quantity::Velocity: return {1.0, unit, 0};
+    case Quantity::Current:
+    case Quantity::Voltage:
+    case Quantity::Temperature:
+        if (unit == "counts") // of a converter, until somebody said what one of them is
+            return {1.0, "ADC", 0};
+        return {1.0, unit, quantity == Quantity::Temperature ? 1 : 2};
+    case Quantity::Duty:
+        if (unit == "fraction")
+            return {100.0, "%", 1};
+        break;
+    default: break;
+    }
+    return {1.0, unit, 1};
+}
+
 [[nodiscard]] constexpr std::optional<ChannelIndex> findChannel(std::span<const Channel> table, std::string_view key)
 {
     for (std::size_t i = 0; i < table.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "widgets/common/applytheme.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/selection.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/movespanel.h"

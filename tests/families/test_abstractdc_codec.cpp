@@ -249,13 +249,13 @@ TEST(AbstractDcDecode, SettingsOfTheWideDialectsHaveTheirFieldInTheUpperHalfOfTh
 
 TEST(AbstractDcDecode, EveryLogHasItsNameAndUnitAndTheBoundsOfItsIdentifiers)
 {
-    EXPECT_EQ(text("563#01000000"), "current log 99 value=1ADC counts");
-    EXPECT_EQ(text("663#FEFFFFFF"), "temperature log 99 value=-2ADC counts");
+    EXPECT_EQ(text("563#01000000"), "current log 99 value=1ADC");
+    EXPECT_EQ(text("663#FEFFFFFF"), "temperature log 99 value=-2ADC");
     EXPECT_EQ(text("463#01000000"), "speed log 99 value=1counts/s");
     EXPECT_EQ(text("464#01000000"), "nothing") << "no drive is beyond 99";
     EXPECT_EQ(text("4E3#01000000"), "position log 99 value=1counts");
     EXPECT_EQ(text("0C7#0164000000"), "setpoint 99 ! TYPE=1 value=100counts/s");
-    EXPECT_EQ(text("066#0264000000"), "setpoint 2 ! TYPE=2 value=100ADC counts");
+    EXPECT_EQ(text("066#0264000000"), "setpoint 2 ! TYPE=2 value=100ADC");
     EXPECT_EQ(text("066#0364000000"), "setpoint 2 ! TYPE=3 value=100counts");
     EXPECT_EQ(text("066#0564000000"), "nothing");
     EXPECT_EQ(text("066#04640000"), "nothing");

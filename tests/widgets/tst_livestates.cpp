@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What devices tell of their limits and pins stands where one looks: list, line, card, and under the line on Tune.
 #include "parameterbench.h"
+#include "support/utf8.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/devicetext.h"
@@ -8,8 +9,14 @@
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/deviceline.h"
+#include "widgets/connection/devicemodel.h"
 #include "widgets/connection/inspector.h"
 #include "widgets/connection/livestatebar.h"
+#include "widgets/plots/signallist.h"
+
+#include <QListWidget>
+
+#include <map>
 
 using namespace mb;
 using namespace mb::test;
@@ -24,7 +31,8 @@ private Q_SLOTS:
     void aMoveThatIsKeptIsSaidWithItsGlyph();
     void whereThereIsLittleRoomTheBarIsShownWhileSomethingHolds();
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
-    void unitsAreThoseOfTheDevice();
+    void oneSampleReadsTheSameEverywhere_data();
+    void oneSampleReadsTheSameEverywhere();
     void aNameThatIsTheFamilysLeavesItsRoomToTheFirmware();
     void aDeviceThatIsGoneTakesItsLineAndItsNumbersAlong();
 
@@ -218,17 +226,33 @@ void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()
     QVERIFY(bar.isHidden());
 }
 
-/// A current is counts until somebody said what a count is.
-void LiveStatesTest::unitsAreThoseOfTheDevice()
+void LiveStatesTest::oneSampleReadsTheSameEverywhere_data()
 {
+    QTest::addColumn<QString>("family");
+    QTest::addColumn<double>("amount");
+    QTest::addColumn<QString>("current");
+    QTest::newRow("amperes") << s("dmc60c") << -0.062 << s("−0.06 A");
+    QTest::newRow("of a converter, until somebody said what a count is") << s("abstractdc") << 17.0 << s("17 ADC");
+}
+
+void LiveStatesTest::oneSampleReadsTheSameEverywhere()
+{
+    QFETCH(QString, family);
+    QFETCH(double, amount);
+    QFETCH(QString, current);
     FakeWorkbench workbench;
     Selection selection;
+    addLink(workbench.shot, "can0");
     DeviceView device = drive();
-    device.family = findFamily(families(), "abstractdc");
-    device.identity.edit().family = "abstractdc";
+    device.link = "can0";
+    device.family = findFamily(families(), family.toStdString());
+    device.identity.edit().family = family.toStdString();
     device.parameters.edit().assign(device.family->parameters.size(), {});
     const auto telemetry = std::make_shared<Telemetry>(device.family->channels);
-    telemetry->append({*telemetry->find("current"), workbench.time, 17.0});
+    const std::map<QString, std::pair<double, QString>> samples{{s("velocity"), {-59987.4, s("−59 987 counts/s")}},
+        {s("current"), {amount, current}}, {s("duty"), {0.1834, s("18.3 %")}}};
+    for (const auto &[channel, sample] : samples)
+        telemetry->append({*telemetry->find(channel.toStdString()), workbench.time, sample.first});
     telemetry->commit();
     device.telemetry = telemetry;
     workbench.shot.devices.push_back(device);
@@ -236,15 +260,32 @@ void LiveStatesTest::unitsAreThoseOfTheDevice()
     DeviceLine line(workbench, selection, m_theme);
     line.resize(1100, 40);
     line.setWanted(true);
+    Inspector inspector(workbench, selection, m_theme);
+    inspector.show();
+    const DeviceModel tree(workbench);
+    SignalList plots(m_theme);
+    plots.setDevices(workbench.shot.devices);
     workbench.publish();
     DeviceCard card(m_theme, nullptr);
     card.show(workbench.device(0), workbench.time, false);
-    for (const QWidget *part : {static_cast<QWidget *>(&line), static_cast<QWidget *>(&card)}) {
-        const auto labels = part->findChildren<ValueLabel *>();
-        const auto label = std::find_if(labels.begin(), labels.end(),
-            [](const ValueLabel *one) { return one->accessibleName() == QStringLiteral("current"); });
-        QVERIFY(label != labels.end());
-        QTRY_COMPARE((*label)->accessibleDescription(), QStringLiteral("17.0 counts")); // told once a second
+    const auto plain
+        = [](QString text) { return text.replace(QChar::Nbsp, QLatin1Char(' ')).replace(ThinSpace, QLatin1Char(' ')); };
+    QVERIFY(plain(lineOf(workbench.device(0))).endsWith(samples.at(s("velocity")).second));
+    for (const auto &[channel, sample] : samples) {
+        const QString &expected = sample.second;
+        for (const QWidget *part : std::initializer_list<const QWidget *>{&line, &card, &inspector}) {
+            const auto labels = part->findChildren<ValueLabel *>();
+            const auto label = std::find_if(labels.begin(), labels.end(),
+                [&channel = channel](const ValueLabel *one) { return one->accessibleName() == channel; });
+            QVERIFY(label != labels.end());
+            QTRY_COMPARE(plain((*label)->accessibleDescription()), expected); // told once a second
+        }
+        const ChannelIndex index = *telemetry->find(channel.toStdString());
+        const QModelIndex row = tree.index(index.value, 0, tree.indexOf({1}));
+        QCOMPARE(plain(row.data(DeviceModel::DetailRole).toString()), expected);
+        const auto listed = plots.list().findItems(s("#5 ") + channel, Qt::MatchExactly);
+        QCOMPARE(listed.size(), 1);
+        QCOMPARE(listed.first()->data(SignalList::UnitRole).toString(), expected.section(QLatin1Char(' '), -1));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/common/axistext.h"
 
 #include "model/axis.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -81,15 +82,12 @@ QString commandOfAxis(const DeviceView &device, int axis)
 
 QString numberOfAxis(const DeviceView &device, int axis, Instant now)
 {
-    const auto value = liveValue(device, channelOfAxis(device, axis), now);
-    return value ? formatNumber(*value) : QString(UnknownMark);
+    return liveText(device, channelOfAxis(device, axis), now).number;
 }
 
 QString valueOfAxis(const DeviceView &device, int axis, Instant now)
 {
-    const QString number = numberOfAxis(device, axis, now);
-    const QString unit = turnsAxis(device, axis) ? AxisText::tr("counts/s") : AxisText::tr("counts");
-    return number == QString(UnknownMark) ? number : number + QChar(0xA0) + unit;
+    return liveText(device, channelOfAxis(device, axis), now).whole();
 }
 
 TraceRole axisColour(int axis)

@@ -4,25 +4,17 @@
 #include "files/qttext.h"
 #include "model/snapshot.h"
 #include "widgets/common/stateglyph.h"
+#include "widgets/common/tabletext.h"
 
 #include <QString>
 #include <QStringList>
 
-#include <optional>
 #include <string_view>
 
 namespace mb {
 
 /// The one place where device states and faults become text and shape for people.
 
-/// A label, help or word of a table of the library, in the language of the program.
-[[nodiscard]] QString tableText(std::string_view english);
-/// A sentence of the library in the language of the program; its numbers as everywhere in the window (numberformat.h).
-[[nodiscard]] QString messageText(const Message &message);
-/// The same with numbers for a file.
-[[nodiscard]] QString messageText(const Message &message, QChar decimal);
-/// "4.2 %", with the decimal sign of the language.
-[[nodiscard]] QString quantityText(const MessageNumber &quantity);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.
 [[nodiscard]] QString faultText(const Family &family, std::string_view key);
@@ -68,9 +60,5 @@ struct HealthText {
 [[nodiscard]] bool keepsStoppedMove(const DeviceView &device);
 /// One sentence: state, cause, remedy.
 [[nodiscard]] QString tooltipOf(const DeviceView &device);
-
-/// The newest committed value of a channel by key; nothing when it was never seen or is older than `staleAfter`.
-[[nodiscard]] std::optional<double> liveValue(
-    const DeviceView &device, std::string_view channel, Instant now, Duration staleAfter = std::chrono::seconds(2));
 
 } // namespace mb

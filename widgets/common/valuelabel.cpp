@@ -20,7 +20,6 @@ ValueLabel::ValueLabel(
     , m_look(look)
     , m_caption(caption)
     , m_unit(unit)
-    , m_spokenUnit(unit)
     , m_value(UnknownMark)
     , m_widest(formatNumber(-88888))
 {
@@ -67,13 +66,21 @@ void ValueLabel::clear()
     m_broadest = QFontMetrics(valueFont()).horizontalAdvance(m_value);
 }
 
-void ValueLabel::setUnit(const QString &unit, const QString &spoken)
+void ValueLabel::setLive(const LiveText &live)
 {
-    const QString &said = spoken.isEmpty() ? unit : spoken;
-    if (unit == m_unit && said == m_spokenUnit)
+    if (!live.unit.isEmpty())
+        setUnit(live.unit);
+    if (live.isKnown())
+        setValue(live.number);
+    else
+        clear();
+}
+
+void ValueLabel::setUnit(const QString &unit)
+{
+    if (unit == m_unit)
         return;
     m_unit = unit;
-    m_spokenUnit = said;
     updateAccessibleText();
     updateGeometry();
     update();
@@ -97,7 +104,7 @@ void ValueLabel::updateAccessibleText()
 {
     if (accessibleName() != m_caption)
         setAccessibleName(m_caption);
-    setSpokenLive(*this, m_value + QLatin1Char(' ') + m_spokenUnit);
+    setSpokenLive(*this, m_value + QLatin1Char(' ') + m_unit);
 }
 
 QFont ValueLabel::valueFont() const

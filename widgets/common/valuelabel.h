@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/livetext.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>
@@ -23,8 +24,9 @@ public:
     void setValue(const QString &value);
     /// Nothing known: "–", and no unit.
     void clear();
-    /// `spoken`: the whole word, where it is shortened.
-    void setUnit(const QString &unit, const QString &spoken = {});
+    void setUnit(const QString &unit);
+    /// Both; of what the device has not, the unit stays.
+    void setLive(const LiveText &live);
     void setTone(Tone tone);
     /// Greyed, with the reason or age in the tooltip, while a device does not answer.
     void setStale(bool stale);
@@ -49,7 +51,6 @@ private:
     Look m_look;
     QString m_caption;
     QString m_unit;
-    QString m_spokenUnit;
     QString m_value;
     QString m_widest;
     int m_broadest

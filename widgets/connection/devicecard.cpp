@@ -6,25 +6,20 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/sparkline.h"
 #include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/valuelabel.h"
+#include "widgets/common/wraplayout.h"
 #include "widgets/connection/axiscells.h"
 #include "widgets/connection/recentvalues.h"
 
+#include <array>
+
 namespace mb {
-namespace {
-
-/// "cnt/s": three values stand beside each other.
-QString shortUnit(std::string_view unit)
-{
-    return unit == "counts/s" ? DeviceCard::tr("cnt/s") : unit == "counts" ? DeviceCard::tr("cnt") : tableText(unit);
-}
-
-} // namespace
 
 DeviceCard::DeviceCard(const ThemeSource &theme, QWidget *parent)
     : Card(theme, parent)
@@ -50,18 +45,17 @@ void DeviceCard::buildLive()
     const Theme &theme = m_theme.theme();
     m_live = new QWidget(this);
     auto *column = layoutIn<QVBoxLayout>(m_live, theme.u(6));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(theme.u(6));
+    auto *values = new QWidget(m_live);
+    auto *row = layoutIn<WrapLayout>(values, theme.u(6)); // a narrow card has them in two lines
     const auto add = [&](std::size_t place, const QString &caption, const QString &unit, const QString &widest) {
-        m_values[place] = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, m_live);
+        m_values[place] = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, values);
         m_values[place]->setWidest(widest);
         row->addWidget(m_values[place]);
     };
-    add(0, tr("velocity"), tr("cnt/s"), QStringLiteral("−88 888"));
-    add(1, tr("current"), QStringLiteral("A"), QStringLiteral("−8.8"));
-    add(2, tr("duty"), QStringLiteral("%"), QStringLiteral("−88"));
-    row->addStretch();
-    column->addLayout(row);
+    add(0, tr("velocity"), QStringLiteral("counts/s"), QStringLiteral("−88 888"));
+    add(1, tr("current"), QStringLiteral("A"), QStringLiteral("−8.88"));
+    add(2, tr("duty"), QStringLiteral("%"), QStringLiteral("−88.8"));
+    column->addWidget(values);
     auto *captions = new QHBoxLayout;
     captions->addWidget(textLabel(tr("last 10 s"), TextRole::Caption, Tone::Dim, m_live));
     captions->addStretch();
@@ -139,21 +133,13 @@ void DeviceCard::showAxes(const DeviceView &device, Instant now)
 
 void DeviceCard::showValues(const DeviceView &device, Instant now)
 {
-    const auto put = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
-        const auto value = liveValue(device, channel, now);
-        label->setStale(!device.liveness.heard);
-        const auto row = device.telemetry->find(channel);
-        if (row && factor == 1.0) // counts, until somebody said what a count is
-            label->setUnit(shortUnit(device.telemetry->channels()[row->value].unit),
-                tableText(device.telemetry->channels()[row->value].unit));
-        if (value)
-            label->setValue(formatNumber(*value * factor, decimals));
-        else if (device.liveness.heard)
-            label->clear();
-    };
-    put(m_values[0], "velocity", 1.0, 0);
-    put(m_values[1], "current", 1.0, 1);
-    put(m_values[2], "duty", 100.0, 0);
+    constexpr std::array<std::string_view, 3> channels{"velocity", "current", "duty"};
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const LiveText live = liveText(device, channels[i], now);
+        m_values[i]->setStale(!device.liveness.heard);
+        if (live.isKnown() || device.liveness.heard)
+            m_values[i]->setLive(live);
+    }
 }
 
 void DeviceCard::showSparkline(const DeviceView &device, Instant now)
@@ -162,13 +148,15 @@ void DeviceCard::showSparkline(const DeviceView &device, Instant now)
     if (!channel || !isVisible())
         return;
     m_sparkline->setValues(recentValues(device, "velocity", now));
-    const QString unit = shortUnit(device.telemetry->channels()[channel->value].unit);
-    if (const auto range = m_sparkline->range())
+    const Channel &row = device.telemetry->channels()[channel->value];
+    if (const auto range = m_sparkline->range()) {
+        const LiveText greatest = liveText(row, range->second);
         m_range->setText(range->first == range->second
-                ? formatValue(range->first, 0, unit)
-                : QStringLiteral("%1 … %2").arg(formatNumber(range->first), formatValue(range->second, 0, unit)));
-    else
+                ? greatest.whole()
+                : QStringLiteral("%1 … %2").arg(liveText(row, range->first).number, greatest.whole()));
+    } else {
         m_range->setText(QString(UnknownMark));
+    }
 }
 
 void DeviceCard::showFoot(const DeviceView &device)

@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 
@@ -72,11 +73,11 @@ void DeviceLine::buildValues(QHBoxLayout &row)
         values->addWidget(label);
         return label;
     };
-    m_position = add(tr("position"), tr("counts"), QStringLiteral("−8 888 888"));
+    m_position = add(tr("position"), QStringLiteral("counts"), QStringLiteral("−8 888 888"));
     m_position->hide();
-    m_velocity = add(tr("velocity"), tr("counts/s"), QStringLiteral("−888 888"));
-    m_current = add(tr("current"), QStringLiteral("A"), QStringLiteral("−88.8"));
-    m_duty = add(tr("duty"), QStringLiteral("%"), QStringLiteral("−100"));
+    m_velocity = add(tr("velocity"), QStringLiteral("counts/s"), QStringLiteral("−888 888"));
+    m_current = add(tr("current"), QStringLiteral("A"), QStringLiteral("−88.88"));
+    m_duty = add(tr("duty"), QStringLiteral("%"), QStringLiteral("−100.0"));
     m_bus = add(tr("bus"), QStringLiteral("V"), QStringLiteral("88.88"));
     m_temperature = add(tr("case"), QStringLiteral("°C"), QStringLiteral("−88.8"));
     m_faultGlyph = new StateGlyph(m_theme, GlyphState::Done, m_values);
@@ -107,24 +108,19 @@ std::vector<ValueLabel *> DeviceLine::showValues(const DeviceView &device)
     const int axis = m_selection.axis();
     const bool several = hasAxes(*device.family);
     // Where it is narrow the last values go first; the inspector and the plots still have them.
-    const auto show = [&](ValueLabel *label, std::string_view name, double factor, int decimals, int from) {
+    const auto show = [&](ValueLabel *label, std::string_view name, int from) {
         const std::string key = axisKey(axis, name);
-        const auto row = device.telemetry->find(key);
-        if ((several ? row.has_value() : label != m_position) && width() > m_theme.theme().u(from))
+        if ((several ? device.telemetry->find(key).has_value() : label != m_position)
+            && width() > m_theme.theme().u(from))
             wanted.push_back(label);
-        if (row && factor == 1.0) // counts, until somebody said what a count is
-            label->setUnit(tableText(device.telemetry->channels()[row->value].unit));
-        if (const auto value = liveValue(device, key, now))
-            label->setValue(formatNumber(*value * factor, decimals));
-        else
-            label->clear();
+        label->setLive(liveText(device, key, now));
     };
-    show(m_position, "position", 1.0, 0, 700);
-    show(m_velocity, "velocity", 1.0, 0, several ? 560 : 0);
-    show(m_current, "current", 1.0, 1, 0);
-    show(m_duty, "duty", 100.0, 0, 0);
-    show(m_bus, "bus_voltage", 1.0, 2, 860);
-    show(m_temperature, "temperature", 1.0, 1, 980);
+    show(m_position, "position", 700);
+    show(m_velocity, "velocity", several ? 560 : 0);
+    show(m_current, "current", 0);
+    show(m_duty, "duty", 0);
+    show(m_bus, "bus_voltage", 860);
+    show(m_temperature, "temperature", 980);
     return wanted;
 }
 

@@ -4,9 +4,10 @@
 #include "model/axis.h"
 #include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/linkload.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QMimeData>
 
@@ -399,12 +400,9 @@ QVariant DeviceModel::channelData(const DeviceView &device, ChannelIndex channel
     case Qt::DisplayRole: return channelName(row);
     case Qt::AccessibleTextRole: return signalName(device, channel);
     case Qt::ToolTipRole: return tr("%1\nDouble click or Enter plots it; drag it to a plot.").arg(qt(row.key));
-    case DetailRole: {
-        const auto value
-            = device.telemetry ? liveValue(device, row.key, m_workbench.presentOf(device.link)) : std::nullopt;
-        const ShownUnit unit = shownUnit(row.quantity, row.unit, {});
-        return value ? formatValue(*value * unit.scale, unit.decimals, unit.text) : QString(UnknownMark);
-    }
+    case DetailRole:
+        return device.telemetry ? liveText(device, row.key, m_workbench.presentOf(device.link)).whole()
+                                : QString(UnknownMark);
     default: return {};
     }
 }

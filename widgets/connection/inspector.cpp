@@ -7,6 +7,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/common/wraplayout.h"
@@ -85,18 +86,17 @@ void Inspector::buildLive(QVBoxLayout &column)
     column.addWidget(m_axes);
     connect(
         m_axes, &AxisCells::axisActivated, this, [this](int axis) { m_selection.select(m_selection.device(), axis); });
-    const auto add
-        = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
-              ValueLabel *label = addRow(column, caption);
-              label->setUnit(unit);
-              m_live.push_back({channel, factor, decimals, label});
-          };
-    add(tr("position"), tr("counts"), "position", 1.0, 0);
-    add(tr("velocity"), tr("counts/s"), "velocity", 1.0, 0);
-    add(tr("current"), QStringLiteral("A"), "current", 1.0, 2);
-    add(tr("duty"), QStringLiteral("%"), "duty", 100.0, 1);
-    add(tr("bus"), QStringLiteral("V"), "bus_voltage", 1.0, 2);
-    add(tr("case"), QStringLiteral("°C"), "temperature", 1.0, 1);
+    const auto add = [&](const QString &caption, const QString &unit, std::string_view channel) {
+        ValueLabel *label = addRow(column, caption);
+        label->setUnit(unit);
+        m_live.push_back({channel, label});
+    };
+    add(tr("position"), QStringLiteral("counts"), "position");
+    add(tr("velocity"), QStringLiteral("counts/s"), "velocity");
+    add(tr("current"), QStringLiteral("A"), "current");
+    add(tr("duty"), QStringLiteral("%"), "duty");
+    add(tr("bus"), QStringLiteral("V"), "bus_voltage");
+    add(tr("case"), QStringLiteral("°C"), "temperature");
 }
 
 void Inspector::buildIdentity(QVBoxLayout &column)
@@ -166,7 +166,6 @@ void Inspector::follow()
     showParameters(*device);
 }
 
-/// Units are the device's: a current is counts until somebody said what a count is.
 void Inspector::showLive(const DeviceView &device)
 {
     const bool several = hasAxes(*device.family);
@@ -175,14 +174,8 @@ void Inspector::showLive(const DeviceView &device)
         m_axes->show(device, m_workbench.presentOf(device.link));
     for (const LiveRow &row : m_live) {
         const std::string key = axisKey(m_selection.axis(), row.channel);
-        const auto channel = device.telemetry->find(key);
-        row.label->setVisible(!several || channel); // a board has these of its axes only
-        if (channel && row.factor == 1.0)
-            row.label->setUnit(tableText(device.telemetry->channels()[channel->value].unit));
-        if (const auto value = liveValue(device, key, m_workbench.presentOf(device.link)))
-            row.label->setValue(formatNumber(*value * row.factor, row.decimals));
-        else
-            row.label->clear();
+        row.label->setVisible(!several || device.telemetry->find(key)); // a board has these of its axes only
+        row.label->setLive(liveText(device, key, m_workbench.presentOf(device.link)));
     }
 }
 

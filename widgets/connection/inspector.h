@@ -38,8 +38,6 @@ private:
 
     struct LiveRow {
         std::string_view channel;
-        double factor;
-        int decimals;
         ValueLabel *label;
     };
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "model/trialtraits.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/theme.h"
 #include "widgets/control/envelopebook.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 

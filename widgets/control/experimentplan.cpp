@@ -8,6 +8,7 @@
 #include "model/family.h"
 #include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>

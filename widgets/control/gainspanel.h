@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/displayunits.h"
 #include "widgets/common/workbench.h"
 #include "widgets/control/gainrow.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QPointer>
 

@@ -3,9 +3,9 @@
 
 #include "experiment/kepttrial.h"
 #include "model/family.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/curvelegend.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/displayunits.h"
 #include "widgets/control/setpointentries.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 

@@ -3,8 +3,8 @@
 
 #include "experiment/stimulus.h"
 #include "model/setpoint.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 

@@ -4,7 +4,7 @@
 #include "experiment/kepttrial.h"
 #include "model/family.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 
 #include <QAbstractTableModel>
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "model/family.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/trialnotebook.h"
 #include "widgets/common/workbench.h"
 #include "widgets/control/trialpair.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "experiment/trial.h"
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 
 #include <QString>
 

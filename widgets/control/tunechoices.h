@@ -5,7 +5,7 @@
 #include "widgets/control/setpointentries.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/parameters/editdesk.h"
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 
 #include <map>
 #include <string>

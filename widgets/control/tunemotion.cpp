@@ -3,14 +3,15 @@
 
 #include "model/axis.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/guarded.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/tunecolumn.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QApplication>
 

@@ -196,7 +196,7 @@ bool TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
     if (!index)
         return false;
     const Channel &row = device.telemetry->channels()[index->value]; // whose units may depend on the device
-    const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
+    const ShownUnit unit = shownUnit(row, m_units);
     auto source = std::make_shared<TelemetrySource>(
         device.telemetry, *index, main ? TelemetrySource::Foot::Always : TelemetrySource::Foot::WhenLossy);
     source->setScale(unit.scale);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/snapshot.h"
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/telemetrysource.h"
 

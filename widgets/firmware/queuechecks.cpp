@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 
 #include <algorithm>

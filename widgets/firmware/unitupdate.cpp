@@ -6,6 +6,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
+#include "widgets/common/livetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/turningsplitter.h"
 #include "widgets/common/updates.h"

@@ -145,7 +145,7 @@ int PlotBoard::stripOf(const QString &pane, const QString &unit)
 void PlotBoard::dress(Trace &trace)
 {
     const Channel &row = *m_book.rowOf(trace.signal);
-    const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
+    const ShownUnit unit = shownUnit(row, m_units);
     const auto telemetry = m_book.telemetryOf(trace.signal);
     if (!trace.source || &trace.source->telemetry() != telemetry.get())
         trace.source = std::make_shared<TelemetrySource>(telemetry, trace.signal.channel);

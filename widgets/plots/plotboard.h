@@ -2,9 +2,9 @@
 #pragma once
 
 #include "recording/export.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
-#include "widgets/plots/displayunits.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/signalbook.h"
 #include "widgets/plots/telemetrysource.h"

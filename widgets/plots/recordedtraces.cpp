@@ -2,7 +2,7 @@
 #include "widgets/plots/recordedtraces.h"
 
 #include "widgets/common/devicetext.h"
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/telemetrysource.h"
 #include "widgets/plots/tracecolours.h"
@@ -20,7 +20,7 @@ std::vector<int> showRecording(PlotStack &stack, const LoadedRecording &recordin
             traces.push_back(-1);
             continue;
         }
-        const ShownUnit unit = shownUnit(row.quantity, row.unit, {});
+        const ShownUnit unit = shownUnit(row, {});
         if (!panes.contains(unit.text))
             panes << unit.text;
         const auto source

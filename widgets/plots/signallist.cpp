@@ -2,9 +2,9 @@
 #include "widgets/plots/signallist.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/layoutin.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QListWidget>
 #include <QMenu>
@@ -20,7 +20,7 @@
 namespace mb {
 namespace {
 
-enum SignalRole { DeviceRole = Qt::UserRole, ChannelRole, UnitRole };
+enum SignalRole { DeviceRole = Qt::UserRole, ChannelRole };
 
 constexpr Qt::ItemFlags tickable
     = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled;
@@ -46,7 +46,7 @@ public:
         painter->setFont(theme.font(TextRole::Caption, option.font));
         painter->setPen(theme.dim);
         painter->drawText(option.rect.adjusted(0, 0, -theme.u(8), 0), Qt::AlignRight | Qt::AlignVCenter,
-            index.data(UnitRole).toString());
+            index.data(SignalList::UnitRole).toString());
         painter->restore();
     }
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
@@ -206,7 +206,7 @@ std::vector<SignalList::Row> SignalList::rows() const
         for (std::uint16_t i = 0; i < device.channels().size(); ++i) {
             const Channel &row = device.channels()[i];
             const QString name = signalName(device, {i}, m_devices);
-            rows.push_back({{device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
+            rows.push_back({{device.id, {i}}, name, shownUnit(row, {}).text,
                 tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name)});
         }
     }

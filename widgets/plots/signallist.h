@@ -22,6 +22,8 @@ inline constexpr DeviceId derivedDevice{0};
 class SignalList : public QWidget {
     Q_OBJECT
 public:
+    static constexpr int UnitRole = Qt::UserRole + 2; ///< of an item
+
     explicit SignalList(const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Devices may have come or gone. No row moves under the mouse: until it has left, what is gone can only be ticked no more, and what has

@@ -5,11 +5,11 @@
 #include "model/family.h"
 #include "service/recipe.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/displayunits.h"
 #include "widgets/common/filechoice.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/plots/displayunits.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, logCount> logNames{
     "position log", "speed log", "current log", "temperature log", "voltage log"};
-constexpr std::array<std::string_view, logCount> logUnits{"counts", "counts/s", "ADC counts", "ADC counts", "PWM"};
-constexpr std::array<std::string_view, loopCount> loopUnits{"", "counts/s", "ADC counts", "counts", "PWM"};
+constexpr std::array<std::string_view, logCount> logUnits{"counts", "counts/s", "ADC", "ADC", "PWM"};
+constexpr std::array<std::string_view, loopCount> loopUnits{"", "counts/s", "ADC", "counts", "PWM"};
 
 /// The offset of `frame` when its identifier belongs to this role.
 std::optional<int> offsetIn(const CanFrame &frame, std::uint32_t base)

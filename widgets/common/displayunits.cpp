@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/displayunits.h"
+#include "widgets/common/displayunits.h"
 
-#include "widgets/common/devicetext.h"
+#include "widgets/common/tabletext.h"
 
 #include <QCoreApplication>
 
@@ -19,17 +19,17 @@ constexpr double degreesPerRevolution = 360.0;
 
 ShownUnit shownUnit(Quantity quantity, std::string_view unit, const DisplayUnits &units)
 {
-    if (quantity == Quantity::Velocity && unit == "counts/s")
-        return units.revolutions ? ShownUnit{secondsPerMinute / units.countsPerRevolution, UnitText::tr("rpm"), 1}
-                                 : ShownUnit{1.0, UnitText::tr("counts/s"), 0};
-    if (quantity == Quantity::Position && unit == "counts")
-        return units.revolutions ? ShownUnit{degreesPerRevolution / units.countsPerRevolution, UnitText::tr("°"), 1}
-                                 : ShownUnit{1.0, UnitText::tr("counts"), 0};
-    if (quantity == Quantity::Duty && unit == "fraction")
-        return {100.0, UnitText::tr("%"), 1};
-    if (quantity == Quantity::Current || quantity == Quantity::Voltage)
-        return {1.0, qt(unit), 2};
-    return {1.0, qt(unit), 1};
+    if (units.revolutions && quantity == Quantity::Velocity && unit == "counts/s")
+        return {secondsPerMinute / units.countsPerRevolution, UnitText::tr("rpm"), 1};
+    if (units.revolutions && quantity == Quantity::Position && unit == "counts")
+        return {degreesPerRevolution / units.countsPerRevolution, UnitText::tr("°"), 1};
+    const UnitForm form = unitForm(quantity, unit);
+    return {form.scale, tableText(form.text), form.decimals};
+}
+
+ShownUnit shownUnit(const Channel &row, const DisplayUnits &units)
+{
+    return shownUnit(row.quantity, row.unit, units);
 }
 
 ShownUnit shownUnit(Mode mode, const DisplayUnits &units)

@@ -25,6 +25,7 @@ struct DisplayUnits {
 };
 
 [[nodiscard]] ShownUnit shownUnit(Quantity quantity, std::string_view unit, const DisplayUnits &units);
+[[nodiscard]] ShownUnit shownUnit(const Channel &row, const DisplayUnits &units);
 /// Of the target of a mode.
 [[nodiscard]] ShownUnit shownUnit(Mode mode, const DisplayUnits &units);
 /// The quantity that a mode commands; Other where there is none.
