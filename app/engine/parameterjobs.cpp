@@ -32,7 +32,8 @@ void tellChanges(const EngineLog &log, const Device &device, const std::vector<P
         const Parameter &row = device.family().parameters[outcome.index.value];
         const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
         log.tell(Severity::Info, device,
-            say("%1: %2 -> %3", row.key, old ? toText(row, *old) : std::string("?"), toText(row, *outcome.raw)));
+            say("%1: %2 → %3", row.key, old ? settings::worded(row, *old) : MessageArgument(std::string("?")),
+                settings::worded(row, *outcome.raw)));
     }
 }
 

@@ -138,4 +138,20 @@ std::string toText(const Parameter &parameter, std::int64_t raw)
     return numberText(value);
 }
 
+std::string shownText(const Parameter &parameter, std::int64_t raw)
+{
+    constexpr int gainDigits = 4;
+    std::string text = toText(parameter, raw);
+    if (!isGain(parameter) || parameter.one == 1.0 || raw == 0)
+        return text;
+    const double value = fromFixed(raw, parameter.one);
+    const int decimals = std::max(0, gainDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    std::array<char, 64> buffer{};
+    const auto end
+        = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    std::string four(buffer.data(), end.ptr);
+    const auto back = numberFrom(four);
+    return back && toFixed(*back, parameter.one) == raw ? four : text;
+}
+
 } // namespace mb

@@ -199,5 +199,7 @@ using Value = std::variant<std::monostate, bool, double>;
 [[nodiscard]] Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text);
 /// Shortest text that parseRaw() turns back into `raw`; on/off for booleans.
 [[nodiscard]] std::string toText(const Parameter &parameter, std::int64_t raw);
+/// The same for people, but a gain that is no integer with four digits at least: 0.003464, where 0.00346 would read back equal.
+[[nodiscard]] std::string shownText(const Parameter &parameter, std::int64_t raw);
 
 } // namespace mb

@@ -77,7 +77,8 @@ QString plotOf(const KeptTrial &kept, bool whole = true)
             {ReportText::tr("duty, %"), {{{}, QStringLiteral("#1B2A8C"), {}, scaled(duty, 100.0)}}, effortHeight});
     if (const tuning::Trace current = trial.folded("current"); whole && current.size() > 1)
         plot.panes.push_back(
-            {ReportText::tr("current, A"), {{{}, QStringLiteral("#B0508C"), {}, current}}, effortHeight});
+            {ReportText::tr("current, %1").arg(qt(unitForm(Quantity::Current, trial.signal("current")->unit).text)),
+                {{{}, QStringLiteral("#B0508C"), {}, current}}, effortHeight});
     return svgOf(plot);
 }
 
@@ -96,6 +97,15 @@ QString metricsTable(const Trial &trial)
     return table.html();
 }
 
+/// As the window has it.
+QString parameterFigure(const Parameter *row, std::optional<double> value)
+{
+    const auto raw = row && value ? toRaw(*row, *value) : Result<std::int64_t>(0);
+    if (!row || !value || !raw)
+        return figure(value, 6);
+    return escaped(shownText(*row, *raw)).replace(QLatin1Char('-'), QChar(0x2212));
+}
+
 /// The gains themselves, and what else of their set is not as it was delivered.
 QString gainsTable(const Trial &trial, const ReportUnit &unit, const Report &report)
 {
@@ -103,15 +113,17 @@ QString gainsTable(const Trial &trial, const ReportUnit &unit, const Report &rep
         std::string key;
         std::optional<double> value;
         std::optional<double> fallback;
+        const Parameter *parameter = nullptr;
         Role rank = Role::None; ///< what is no gain comes last
     };
     std::vector<Tried> gains;
     int usual = 0;
     for (const auto &[key, value] : trial.gains) {
-        Tried row{key, value, {}, Role::Limit};
+        Tried row{key, value, {}, nullptr, Role::Limit};
         if (const auto index = unit.family ? findParameter(unit.family->parameters, key) : std::nullopt) {
             const Parameter &parameter = unit.family->parameters[index->value];
             row.fallback = parameter.fallback;
+            row.parameter = &parameter;
             row.rank = isGain(parameter) ? parameter.role : Role::Limit;
         }
         if (!isGain(row.rank) && value && value == row.fallback)
@@ -125,7 +137,8 @@ QString gainsTable(const Trial &trial, const ReportUnit &unit, const Report &rep
     HtmlTable table(
         QStringLiteral("lrr"), {ReportText::tr("Gain"), ReportText::tr("Value"), ReportText::tr("Default")});
     for (const Tried &row : gains)
-        table.add({gainLabel(unit, row.key, report), strong(figure(row.value, 6)), figure(row.fallback, 6)});
+        table.add({gainLabel(unit, row.key, report), strong(parameterFigure(row.parameter, row.value)),
+            parameterFigure(row.parameter, row.fallback)});
     return usual == 0 ? table.html()
                       : table.html()
             + paragraph(ReportText::tr("Parameters of this set that have their default: %1").arg(usual), "dim");

@@ -72,7 +72,7 @@ QString changedParametersHtml(const ReportUnit &unit, const Report &report)
         if (!raw || unit.parameters[i].state == ParameterState::Failed || parameter.nature != Nature::Setting
             || *raw == fallback || ++changed > cardRows)
             continue;
-        shown << escaped(parameter.key) + QLatin1Char(' ') + strong(escaped(toText(parameter, *raw)), "accent")
+        shown << escaped(parameter.key) + QLatin1Char(' ') + strong(escaped(shownText(parameter, *raw)), "accent")
                 + QLatin1Char(' ') + phrased(report, parameter.unit);
     }
     if (changed == 0)
@@ -101,11 +101,11 @@ QString parametersHtml(const ReportUnit &unit, const Report &report)
         const std::int64_t fallback = std::llround(parameter.fallback * parameter.one);
         const bool differs = *raw != fallback && parameter.nature == Nature::Setting;
         differing += differs ? 1 : 0;
-        const QString value = escaped(toText(parameter, *raw));
+        const QString value = escaped(shownText(parameter, *raw));
         table.add({phrased(report, parameter.label) + QStringLiteral(" <span class=\"key\">") + escaped(parameter.key)
                 + QStringLiteral("</span>"),
             differs ? strong(value, "accent") : value,
-            parameter.nature == Nature::Setting ? escaped(toText(parameter, fallback)) : QString(),
+            parameter.nature == Nature::Setting ? escaped(shownText(parameter, fallback)) : QString(),
             phrased(report, parameter.unit)});
     }
     if (known == 0)

@@ -65,19 +65,24 @@ void follow(const SettingsChange &change, std::map<std::string, std::int64_t> &v
     }
 }
 
-/// "on", "off", a number. What is no parameter, such as the number on the bus, is a bare one.
+/// What is no parameter, such as the number on the bus, is a bare one.
 MessageArgument worded(const Family &family, std::string_view key, std::int64_t raw)
 {
     const auto index = findParameter(family.parameters, key);
-    if (!index)
-        return raw;
-    const Parameter &parameter = family.parameters[index->value];
-    if (parameter.type == WireType::Boolean)
-        return raw != 0 ? say("on") : say("off");
-    return numberFrom(toText(parameter, raw)).value_or(fromFixed(raw, parameter.one));
+    return index ? settings::worded(family.parameters[index->value], raw) : MessageArgument(raw);
 }
 
 } // namespace
+
+MessageArgument worded(const Parameter &parameter, std::int64_t raw)
+{
+    if (parameter.type == WireType::Boolean)
+        return raw != 0 ? say("on") : say("off");
+    const std::string text = shownText(parameter, raw);
+    const std::size_t point = text.find('.');
+    return MessageNumber{numberFrom(text).value_or(fromFixed(raw, parameter.one)),
+        point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1)};
+}
 
 std::vector<ValueChange> undoable(const Family &family, const SettingsChange &change)
 {
@@ -142,8 +147,8 @@ Message textOf(const Family &family, const SettingsChange &change)
             continue;
         const MessageArgument after = worded(family, value.key, value.after);
         const Message one = value.before
-            ? say("%1: %2 -> %3", value.key, worded(family, value.key, *value.before), after)
-            : say("%1: ? -> %2", value.key, after);
+            ? say("%1: %2 → %3", value.key, worded(family, value.key, *value.before), after)
+            : say("%1: ? → %2", value.key, after);
         text = text.empty() ? one : say("%1, %2", text, one);
     }
     return text;

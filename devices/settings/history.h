@@ -37,7 +37,9 @@ struct HistoryView {
 /// was switched off, what was there; of one that nobody can read and nobody knew the tightest. What became safer stays.
 [[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
 
-/// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people; empty where the unit took nothing of it.
+/// A value in a sentence for people: "on", "off", a number.
+[[nodiscard]] MessageArgument worded(const Parameter &parameter, std::int64_t raw);
+/// "slot0.p: 1.166 → 1.000, slot0.i: ? → 0": what it wrote, for people; empty where the unit took nothing of it.
 [[nodiscard]] Message textOf(const Family &family, const SettingsChange &change);
 
 } // namespace mb::settings

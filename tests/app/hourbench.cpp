@@ -129,7 +129,7 @@ void HourBench::write()
     pass(3s);
     ASSERT_TRUE(done && *done) << view.selector << ' ' << free.key;
     m_written[{view.selector, std::string(free.key)}] = raw;
-    expect(view, std::string(row.key) + ": " + (before ? toText(row, *before) : "?") + " -> " + toText(row, raw));
+    expect(view, std::string(row.key) + ": " + (before ? shownText(row, *before) : "?") + " → " + shownText(row, raw));
     expect(view,
         row.access == Access::WriteOnly ? "1 written; they cannot be read back" : "1 written, read back and equal");
 }

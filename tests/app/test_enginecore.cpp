@@ -433,7 +433,7 @@ TEST_F(Core, TheLogTellsWhichKeyWasWrittenFromWhatToWhat)
     core.send(orders::WriteParameters{id(7), {{index, 65536}}}, into(written));
     clock.advance(2s);
     ASSERT_TRUE(written && *written);
-    EXPECT_TRUE(said("DMC60C #7: slot0.p: " + toText(family.parameters[index.value], *before) + " -> 1"));
+    EXPECT_TRUE(said("DMC60C #7: slot0.p: " + shownText(family.parameters[index.value], *before) + " → 1.000"));
 }
 
 TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)

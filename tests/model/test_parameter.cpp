@@ -113,6 +113,21 @@ TEST(Parameter, ShowsATextThatComesBackAsTheSameRawValue)
     EXPECT_EQ(toText(flag, 1), "on");
 }
 
+TEST(Parameter, PeopleSeeAGainWithFourDigitsOrWithThoseThatItTakes)
+{
+    Parameter p = gain;
+    p.role = Role::Proportional;
+    for (const auto &[raw, text] :
+        std::vector<std::pair<std::int64_t, std::string>>{{227, "0.003464"}, {55, "0.0008392"}, {-55, "-0.0008392"},
+            {98304, "1.500"}, {82123, "1.2531"}, {6554000, "100.0061"}, {0, "0"}}) {
+        EXPECT_EQ(shownText(p, raw), text);
+        EXPECT_EQ(parseRaw(p, shownText(p, raw)), raw);
+    }
+    EXPECT_EQ(shownText(gain, 98304), toText(gain, 98304)) << "no gain";
+    p.one = 1.0;
+    EXPECT_EQ(shownText(p, 5), "5") << "an integer says all of it";
+}
+
 TEST(Parameter, ARawValueIsLegalWithinHalfAStepOfItsBounds)
 {
     EXPECT_TRUE(isLegal(whole, 10));

@@ -73,11 +73,11 @@ TEST_F(Histories, ANewNumberIsInTheHistoryAndNotUndone)
     const auto all = changes(five);
     ASSERT_EQ(all.size(), 2U);
     EXPECT_EQ(all[1].values, (std::vector<settings::ValueChange>{{"number", 5, 12, Proof::Equal}}));
-    EXPECT_EQ(settings::textOf(five.family(), all[1]), "number: 5 -> 12");
+    EXPECT_EQ(settings::textOf(five.family(), all[1]), "number: 5 → 12");
     SettingsChange words;
     words.values = {{"slot0.p", std::nullopt, 32768, Proof::Equal}, {"current_limit.enabled", 0, 1, Proof::Equal}};
     const Message text = settings::textOf(five.family(), words);
-    EXPECT_EQ(text, "slot0.p: ? -> 0.5, current_limit.enabled: off -> on");
+    EXPECT_EQ(text, "slot0.p: ? → 0.5000, current_limit.enabled: off → on");
     ASSERT_EQ(text.arguments().size(), 2U) << "in parts, so that a window says them in its language";
     const Message switched = std::get<Message>(text.arguments()[1].value);
     EXPECT_EQ(std::get<Message>(switched.arguments()[2].value), "on");

@@ -2,6 +2,8 @@
 // How the parts of the Design page name and space what they show.
 #include "designbench.h"
 #include "support/windowtests.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/control/tunechoices.h"
 #include "widgets/design/adviserlist.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/designcolumn.h"
@@ -26,6 +28,7 @@ private Q_SLOTS:
     void whatAnAdviserWouldStageIsNamedAsInTheTableAndFitsItsColumn();
     void linesOfALegendStandCloserThanItsNames();
     void oneLineStandsAboveTheLimitsWhereThereIsNoSet();
+    void gainsAreInTheTurnsOfTheShaftThatTuneHas();
 };
 
 namespace {
@@ -193,6 +196,24 @@ void TestDesignRoom::oneLineStandsAboveTheLimitsWhereThereIsNoSet()
             ++lines;
     }
     QCOMPARE(lines, 1);
+}
+
+void TestDesignRoom::gainsAreInTheTurnsOfTheShaftThatTuneHas()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    const auto same = [&bench](double counts) {
+        const auto si = siGain(dmc60c(), dmc60c().parameters[named("slot0.p").value], Mode::Velocity, 0.6, counts);
+        const auto labels = bench.cards().front()->findChildren<QLabel *>();
+        return si && std::ranges::count(labels, si->text(), &QLabel::text) == 1;
+    };
+    QVERIFY(same(4096.0));
+    TuneChoices choices(bench.workbench, bench.selection);
+    choices.of(bench.workbench.device(0), 0).units.countsPerRevolution = 2000.0; // somebody told it there
+    bench.workbench.publish();
+    QVERIFY(same(2000.0));
 }
 
 MB_WINDOW_TEST(TestDesignRoom);

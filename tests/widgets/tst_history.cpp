@@ -253,7 +253,7 @@ void TestHistory::differencesAreCopiedAsText()
     button(bench, QStringLiteral("Copy as text"))->click();
     const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'));
     QCOMPARE(lines.size(), 4);
-    QCOMPARE(lines.at(1), QStringLiteral("slot1.p\t0\t2\tthrottle/error"));
+    QCOMPARE(lines.at(1), QStringLiteral("slot1.p\t0\t2.000\tthrottle/error"));
 }
 
 void TestHistory::aDayIsWrittenAsTheLanguageWritesIt()
@@ -274,7 +274,7 @@ void TestHistory::theNewestStateIsComparedFirst()
     QTRY_COMPARE(bench.column(1),
         (QStringList{
             QStringLiteral("slot1.p"), QStringLiteral("slot1.max_forward"), QStringLiteral("current.adc_multiplier")}));
-    QCOMPARE(bench.column(3).at(0), QStringLiteral("2"));
+    QCOMPARE(bench.column(3).at(0), QStringLiteral("2.000"));
     QCOMPARE(bench.tick("current.adc_multiplier")->checkState(), Qt::Unchecked);
 }
 
@@ -382,7 +382,7 @@ void TestHistory::aRestoreWaitsForTheDecisionAboutTheOneBefore()
     open.device = bench.workbench.device(0).id;
     bench.workbench.shot.unconfirmed = {open};
     bench.workbench.publish();
-    const QAbstractButton *const waits = button(bench, QStringLiteral("Keep or put back first"));
+    const QAbstractButton *const waits = button(bench, QStringLiteral("Keep or revert first"));
     QVERIFY(waits && !waits->isEnabled());
     bench.workbench.shot.unconfirmed.clear();
     bench.workbench.publish();

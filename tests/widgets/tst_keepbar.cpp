@@ -38,7 +38,7 @@ struct KeepBench {
     void wait(std::int64_t change, UnconfirmedView::State state, double left, std::string unit = {})
     {
         workbench.shot.unconfirmed.push_back(
-            {{1}, change, say("%1: %2 -> %3", "current_limit.peak", 60, 80), state, left, std::move(unit)});
+            {{1}, change, say("%1: %2 → %3", "current_limit.peak", 60, 80), state, left, std::move(unit)});
         workbench.publish();
     }
 };
@@ -139,7 +139,7 @@ void TestKeepBar::whatNobodyHasReadIsNotKept()
     KeepBench bench;
     for (std::int64_t change = 4; change <= 8; ++change)
         bench.wait(change, UnconfirmedView::State::Counting, static_cast<double>(change));
-    const auto buttons = bench.bar.findChildren<CommandButton *>(); // Keep, Put back
+    const auto buttons = bench.bar.findChildren<CommandButton *>(); // Keep, Revert
     const auto orderAll = [&bench, &buttons] {
         for (CommandButton *button : buttons)
             QTest::mouseClick(button, Qt::LeftButton);
@@ -162,7 +162,7 @@ void TestKeepBar::aPressThatIsHeldIsForTheChangeThatItWasMadeOn()
     KeepBench bench;
     for (std::int64_t change = 4; change <= 6; ++change)
         bench.wait(change, UnconfirmedView::State::Counting, static_cast<double>(change));
-    for (CommandButton *button : bench.bar.findChildren<CommandButton *>()) { // Keep, Put back
+    for (CommandButton *button : bench.bar.findChildren<CommandButton *>()) { // Keep, Revert
         QTest::mousePress(button, Qt::LeftButton);
         bench.workbench.shot.unconfirmed.erase(bench.workbench.shot.unconfirmed.begin()); // it went back by itself
         bench.workbench.publish();

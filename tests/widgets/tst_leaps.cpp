@@ -63,7 +63,7 @@ void LeapsTest::theEndOfTheRangeIsNoRemedyForAGain()
     bench.stage("slot0.p", "40000");
     QVERIFY(visible<QLabel>(*bench.page, s("40000 is above")));
     QVERIFY(!visible<QPushButton>(*bench.page, s("Use ")));
-    QVERIFY(visible<QPushButton>(*bench.page, s("Revert to 1.2")));
+    QVERIFY(visible<QPushButton>(*bench.page, s("Revert to 1.200")));
 }
 
 void LeapsTest::theEndOfTheRangeIsOneForALimit()

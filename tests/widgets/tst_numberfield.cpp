@@ -121,8 +121,8 @@ void NumberFieldTest::whatIsUnderstoodIsShownBeforeItIsWritten()
 void NumberFieldTest::aTableFieldShowsWhatWillBeWritten()
 {
     const Parameter &gain = test::dmc60c().parameters[test::named("slot0.p").value];
-    QCOMPARE(understoodValue(gain, QStringLiteral("1,5")), QStringLiteral("= 1.5"));
-    QCOMPARE(understoodValue(gain, QStringLiteral("1,500")), QStringLiteral("= 1.5"));
+    QCOMPARE(understoodValue(gain, QStringLiteral("1,5")), QStringLiteral("= 1.500"));
+    QCOMPARE(understoodValue(gain, QStringLiteral("1,500")), QStringLiteral("= 1.500"));
     QCOMPARE(understoodValue(gain, QStringLiteral("1.5")), QString());
     QVERIFY(understoodValue(gain, QStringLiteral("1.2345678")).startsWith(QStringLiteral("= 1.2345")));
     QCOMPARE(understoodValue(gain, QStringLiteral("-")), QString());

@@ -162,7 +162,7 @@ void TestParameterFiles::comparisonShowsAFileBesideTheValues()
     QCOMPARE(bench.shown("slot1.p", ParameterModel::Reference), QStringLiteral("0"));
     bench.page->compareWith(write(folder, QStringLiteral("c.json"),
         R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2},"slot1.i":{"value":0}}})"));
-    QCOMPARE(bench.shown("slot1.p", ParameterModel::Reference), QStringLiteral("2"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::Reference), QStringLiteral("2.000"));
     QCOMPARE(bench.shown("slot1.d", ParameterModel::Reference), QStringLiteral("–"));
     QCOMPARE(bench.model().headerData(ParameterModel::Reference, Qt::Horizontal).toString(), QStringLiteral("c.json"));
     QCOMPARE(countParameters(bench.model()).changed, 1);
@@ -177,7 +177,7 @@ void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
     QVERIFY(says(bench, QStringLiteral("Select a device")));
     bench.page->openFile(
         write(folder, QStringLiteral("f.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})"));
-    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("2"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("2.000"));
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("from a file"));
     QCOMPARE(countParameters(bench.model()).changed, 1);
     QVERIFY((bench.model().indexOf(named("slot1.p")).flags() & Qt::ItemIsEditable) == 0);

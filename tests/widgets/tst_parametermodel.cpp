@@ -38,7 +38,7 @@ void TestParameterModel::modelHoldsThroughEditsFaultsAndSnapshots()
     entries[named("slot1.p").value] = {rawOf("slot1.p", 3), ParameterState::Ram};
     edits.setEntries(entries);
     model.refresh();
-    QCOMPARE(model.indexOf(named("slot1.p")).data().toString(), QStringLiteral("3"));
+    QCOMPARE(model.indexOf(named("slot1.p")).data().toString(), QStringLiteral("3.000"));
     edits.stage(named("slot1.max_forward"), QStringLiteral("3"));
     QCOMPARE(model.rowCount(fault), 0);
     QVERIFY(model.setData(model.indexOf(named("slot1.i")), QStringLiteral("0,5")));

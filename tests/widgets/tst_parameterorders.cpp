@@ -122,10 +122,10 @@ void TestParameterOrders::readBackEndsTheEditAndShowsRam()
     bench.set("slot1.p", 2, ParameterState::Ram);
     QCOMPARE(bench.edits().count(), 0);
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("RAM, not in flash"));
-    QVERIFY(says(bench, QStringLiteral("0 → <b>2</b>")));
+    QVERIFY(says(bench, QStringLiteral("0 → <b>2.000</b>")));
     bench.set("slot1.p", 2, ParameterState::Stored);
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
-    QVERIFY(!says(bench, QStringLiteral("0 → <b>2</b>")));
+    QVERIFY(!says(bench, QStringLiteral("0 → <b>2.000</b>")));
 }
 
 void TestParameterOrders::storeIsOfferedAfterTheCountdown()

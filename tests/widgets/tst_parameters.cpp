@@ -116,8 +116,8 @@ void TestParameters::everyLegalValueHasTheSignOfTheLanguageAndSurvives()
     const std::array both{parsed("slot1.p", "1,5").raw, parsed("slot1.p", "1.5").raw};
     QLocale::setDefault(before);
     QCOMPARE(shown,
-        QStringList({QStringLiteral("-1,5"), QStringLiteral("−1,5"), QStringLiteral("32767,99998"),
-            QStringLiteral("= 1,5"), QString(), QStringLiteral("40000 is above 32767,99998.")}));
+        QStringList({QStringLiteral("-1,500"), QStringLiteral("−1,500"), QStringLiteral("32767,99998"),
+            QStringLiteral("= 1,500"), QString(), QStringLiteral("40000 is above 32767,99998.")}));
     for (const auto &raw : both)
         QCOMPARE(raw, std::optional<std::int64_t>(98304));
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/history.h"
 #include "support/windowtests.h"
 #include "trialbench.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
+#include "widgets/control/gainunits.h"
 #include "widgets/parameters/editdesk.h"
+#include "widgets/parameters/valuetext.h"
+#include "wire/fixedpoint.h"
 
 #include <QSlider>
 
@@ -39,6 +43,7 @@ private Q_SLOTS:
     void aGainOutOfRangeIsSaidAndNotWritten();
     void theSliderStagesAndRevertBringsBack();
     void editsOfAnotherSlotStayStaged();
+    void aGainHasTheSameDigitsInEveryPlace();
     void writeAndRunWaitsForTheGains();
     void gainsThatWereNotWrittenStartNothing();
     void disarmedDuringTheWriteStartsNothing();
@@ -163,6 +168,31 @@ void TestTuneGains::disarmedDuringTheWriteStartsNothing()
     bench.workbench.given<orders::WriteParameters>().at(0).finished({});
     QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
+}
+
+void TestTuneGains::aGainHasTheSameDigitsInEveryPlace()
+{
+    TrialBench bench;
+    const ParameterIndex gain = named("slot0.i");
+    const Parameter &row = dmc60c().parameters[gain.value];
+    const std::int64_t raw = 55;
+    bench.device().parameters.edit()[gain.value] = {raw, ParameterState::Stored};
+    ++bench.device().parameterRevision;
+    bench.workbench.publish();
+    const QString expected = s("0.0008392");
+    QCOMPARE(bench.find<QLineEdit>("I")->text(), expected);
+    QCOMPARE(valueText(row, raw), expected);                       // Parameters
+    QCOMPARE(shortNumber(row, fromFixed(raw, row.one)), expected); // Design, advice
+    settings::SettingsChange change;
+    change.values = {{"slot0.i", raw, 2 * raw, settings::Proof::Equal}};
+    QVERIFY(messageText(settings::textOf(dmc60c(), change)).contains(expected)); // history and Log
+    TrialModel trials(bench.theme);
+    trials.setFamily(&dmc60c());
+    KeptTrial kept;
+    kept.number = 1;
+    kept.trial.gains = {{"slot0.i", fromFixed(raw, row.one)}};
+    trials.setTrials({kept});
+    QCOMPARE(trials.index(0, TrialModel::GainI).data().toString(), expected);
 }
 
 void TestTuneGains::adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited()

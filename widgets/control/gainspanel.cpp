@@ -124,9 +124,7 @@ void GainsPanel::refresh(const DeviceView &device, bool reading)
             ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution, divided)
             : std::nullopt;
         const bool off = !number || *number == 0.0;
-        row->setPhysical(physical && !off ? formatSignificant(physical->value, 3) + QLatin1Char(' ') + physical->unit
-                : off && number           ? tr("off")
-                                          : QString());
+        row->setPhysical(physical && !off ? physical->text() : off && number ? tr("off") : QString());
         row->setReading(reading);
         row->refresh((*device.parameters)[row->index().value]);
     }

@@ -5,6 +5,7 @@
 #include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/parameters/valuetext.h"
 
 #include <QCoreApplication>
 
@@ -87,7 +88,10 @@ QString shortName(const Parameter &parameter)
 
 QString shortNumber(const Parameter &parameter, double value)
 {
-    return parameter.one == 1.0 ? formatNumber(value) : formatSignificant(value, 4);
+    if (parameter.one == 1.0)
+        return formatNumber(value);
+    const auto raw = toRaw(parameter, value);
+    return raw ? valueText(parameter, *raw) : formatSignificant(value, 4);
 }
 
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
@@ -119,6 +123,18 @@ std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, M
     else if (parameter.role == Role::Derivative)
         value *= scale->derivativeInverted ? -scale->period : scale->period;
     return SiGain{value, siUnit(parameter.role, mode)};
+}
+
+SiGain siGain(Role gain, Mode mode, double number, double countsPerRevolution)
+{
+    const double perSi = mode == Mode::Current ? 1.0 : countsPerRevolution / (2.0 * std::numbers::pi);
+    return {number * perSi, siUnit(gain, mode)};
+}
+
+/// One digit of an exponent is enough.
+QString SiGain::text() const
+{
+    return formatSignificant(value, 3).replace(QStringLiteral("e−0"), QStringLiteral("e−")) + QLatin1Char(' ') + unit;
 }
 
 } // namespace mb

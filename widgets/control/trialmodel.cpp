@@ -6,6 +6,7 @@
 #include "widgets/common/icons.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/stateglyph.h"
+#include "widgets/control/gainunits.h"
 #include "widgets/control/trialwords.h"
 
 #include <QDateTime>
@@ -37,13 +38,6 @@ QString percentText(std::optional<double> fraction)
 QString milliseconds(std::optional<double> seconds)
 {
     return seconds ? formatNumber(*seconds * 1e3) : QString();
-}
-
-QString gainText(std::optional<double> gain)
-{
-    if (!gain)
-        return {};
-    return *gain == 0.0 ? QStringLiteral("0") : formatSignificant(*gain, 4);
 }
 
 bool passes(const KeptTrial &kept, TrialModel::Filter filter)
@@ -82,29 +76,32 @@ TrialModel::TrialModel(const ThemeSource &theme, QObject *parent)
 
 void TrialModel::setFamily(const Family *family)
 {
-    m_gainKeys = {};
+    m_gainRows = {};
     for (std::size_t i = 0; family && i < shownGains.size(); ++i) {
         for (const Parameter &parameter : family->parameters) {
             if (parameter.role == shownGains.at(i))
-                m_gainKeys.at(i).push_back(parameter.key);
+                m_gainRows.at(i).push_back(&parameter);
         }
     }
 }
 
-std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, int column) const
+std::optional<TrialModel::TriedGain> TrialModel::gainOf(const tuning::Trial &trial, int column) const
 {
-    const auto &keys = m_gainKeys.at(static_cast<std::size_t>(column - GainP));
+    const auto &rows = m_gainRows.at(static_cast<std::size_t>(column - GainP));
     for (const auto &[key, value] : trial.gains) {
-        if (std::ranges::find(keys, key) != keys.end())
-            return value;
+        const auto row = std::ranges::find(rows, key, &Parameter::key);
+        if (row != rows.end() && value)
+            return TriedGain{*row, *value};
     }
     return std::nullopt;
 }
 
 bool TrialModel::usesGain(int column) const
 {
-    return std::ranges::any_of(
-        m_trials, [this, column](const KeptTrial &kept) { return gainOf(kept.trial, column).value_or(0.0) != 0.0; });
+    return std::ranges::any_of(m_trials, [this, column](const KeptTrial &kept) {
+        const auto gain = gainOf(kept.trial, column);
+        return gain && gain->value != 0.0;
+    });
 }
 
 QString TrialModel::useText()
@@ -245,7 +242,10 @@ std::optional<double> TrialModel::sortKey(const KeptTrial &kept) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return gainOf(kept.trial, m_sortColumn);
+    case GainF: {
+        const auto gain = gainOf(kept.trial, m_sortColumn);
+        return gain ? std::optional(gain->value) : std::nullopt;
+    }
     case Over: return metrics.overshoot;
     case Settle: return metrics.settle;
     case Rise: return metrics.rise;
@@ -321,7 +321,10 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return orNone(gainText(gainOf(kept.trial, column)));
+    case GainF: {
+        const auto gain = gainOf(kept.trial, column);
+        return gain ? shortNumber(*gain->row, gain->value) : QString(UnknownMark);
+    }
     case Over: return orNone(percentText(metrics.overshoot));
     case Settle: return orNone(milliseconds(metrics.settle));
     case Rise: return orNone(milliseconds(metrics.rise));

@@ -3,8 +3,8 @@
 
 #include "experiment/kepttrial.h"
 #include "model/family.h"
-#include "widgets/common/theme.h"
 #include "widgets/common/displayunits.h"
+#include "widgets/common/theme.h"
 
 #include <QAbstractTableModel>
 
@@ -57,8 +57,6 @@ public:
     [[nodiscard]] int rowOf(std::int64_t number) const;
     /// The quickest to settle of those that ended well, overshoot no more than `overshoot`; nullptr: none.
     [[nodiscard]] const KeptTrial *best(double overshoot) const;
-    /// The gain of a column, GainP to GainF; nothing where the loop has none.
-    [[nodiscard]] std::optional<double> gainOf(const tuning::Trial &trial, int column) const;
     /// Whether any trial has another gain than 0 in this column.
     [[nodiscard]] bool usesGain(int column) const;
     /// What stands in the column Use.
@@ -78,6 +76,12 @@ Q_SIGNALS:
     void noteWritten(qint64 number, const QString &note);
 
 private:
+    struct TriedGain {
+        const Parameter *row;
+        double value;
+    };
+    /// The gain of a column, GainP to GainF; nothing where the loop has none.
+    [[nodiscard]] std::optional<TriedGain> gainOf(const tuning::Trial &trial, int column) const;
     void arrange();
     [[nodiscard]] std::vector<std::size_t> arranged(const std::vector<KeptTrial> &trials) const;
     void removeAllBut(const std::vector<KeptTrial> &trials, const std::vector<std::size_t> &rows);
@@ -87,7 +91,7 @@ private:
 
     const ThemeSource &m_theme;
     DisplayUnits m_units;
-    std::array<std::vector<std::string_view>, 4> m_gainKeys; ///< of each of its columns
+    std::array<std::vector<const Parameter *>, 4> m_gainRows; ///< of each of its columns
     std::vector<KeptTrial> m_trials;
     std::vector<std::size_t> m_rows;
     Filter m_filter = Filter::All;

@@ -21,6 +21,14 @@ int TuneChoices::axisOf(const DeviceView &view) const
     return hasAxes(*view.family) ? std::min(m_selection.motor(), view.family->capabilities.axes) : 0;
 }
 
+double TuneChoices::countsPerRevolution(Workbench &workbench, const DeviceView &view, int axis)
+{
+    const auto &choices = workbench.kept<Kept>().choices;
+    const auto chosen = choices.find({view.id, hasAxes(*view.family) ? axis : 0});
+    const DisplayUnits units = chosen == choices.end() ? DisplayUnits() : chosen->second.units;
+    return view.profile->calibrated(countsPerRevolutionKey, units.countsPerRevolution);
+}
+
 TuneChoice *TuneChoices::find(const TuneMotor &motor)
 {
     const auto found = m_kept.choices.find(motor);

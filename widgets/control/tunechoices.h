@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/displayunits.h"
 #include "widgets/common/selection.h"
 #include "widgets/control/setpointentries.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/parameters/editdesk.h"
-#include "widgets/common/displayunits.h"
 
 #include <map>
 #include <string>
@@ -58,6 +58,9 @@ public:
     [[nodiscard]] TuneChoice &of(const DeviceView &view, int axis);
     /// Rises with every edit of a device that was seen here.
     [[nodiscard]] std::uint64_t editRevision() const { return m_editRevision; }
+
+    /// Of a motor, as somebody has told it on the page or in its profile.
+    [[nodiscard]] static double countsPerRevolution(Workbench &workbench, const DeviceView &view, int axis);
 
     /// The units that each motor has until somebody chooses others for it.
     void setRevolutions(bool on);

@@ -2,6 +2,7 @@
 #include "widgets/design/designbook.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/control/tunechoices.h"
 
 namespace mb {
 
@@ -14,6 +15,11 @@ DesignChoice DesignBook::choice() const
 {
     const auto found = m_kept.choices.find(place());
     return found == m_kept.choices.end() ? DesignChoice() : found->second;
+}
+
+double DesignBook::countsPerRevolution(const DeviceView &view) const
+{
+    return TuneChoices::countsPerRevolution(m_workbench, view, place().axis);
 }
 
 const tuning::TuneReport *DesignBook::report() const

@@ -61,6 +61,8 @@ public:
 
     /// Why the loop cannot be tuned, which may be one that this family has not; empty: it can.
     [[nodiscard]] QString whyNot(const DeviceView &view) const;
+    /// Of the motor; gains are shown in turns of its shaft, as on Tune.
+    [[nodiscard]] double countsPerRevolution(const DeviceView &view) const;
     /// From the beginning, as it is chosen.
     [[nodiscard]] tuning::TunePlan plan() const;
     /// What a proposal for this device stands on. There is a report.
@@ -73,7 +75,7 @@ private:
         std::map<DesignPlace, DesignChoice> choices;
         std::map<std::pair<DeviceId, int>, tuning::FrequencyResponse> responses; ///< by device and axis
     };
-    const Workbench &m_workbench;
+    Workbench &m_workbench;
     const Selection &m_selection;
     Kept &m_kept;
 };

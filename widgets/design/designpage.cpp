@@ -235,7 +235,8 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
     const bool works = m_arming.isOnTrial(view.id) && job && job->status.state == OperationStatus::State::Running;
     const bool stands = !works && !view.liveness.moving; // soft limits leave it a travel that changes with every count
-    if (std::exchange(m_shown, m_book.place()) != m_book.place() || (stands && m_proposals->isOutdated()))
+    const Shown wanted{m_book.place(), m_book.countsPerRevolution(view)};
+    if (std::exchange(m_shown, wanted) != wanted || (stands && m_proposals->isOutdated()))
         showReport();
     else if (std::exchange(m_revision, view.parameterRevision) != view.parameterRevision)
         m_proposals->showChosen(); // beside other gains

@@ -69,13 +69,20 @@ private:
     void followLimits(const DeviceView &view);
     void showReport();
 
+    /// Whose report, and the turn of the shaft that its gains are shown in.
+    struct Shown {
+        DesignPlace place;
+        double countsPerRevolution = 0.0;
+        friend bool operator==(const Shown &, const Shown &) = default;
+    };
+
     Workbench &m_workbench;
     Arming &m_arming;
     DesignBook m_book;
-    Envelope m_inForce;                 ///< what the step may use
-    DeviceId m_limitsOf;                ///< whose limits stand in the panel
-    std::uint64_t m_revision = 0;       ///< of its parameters, that the comparison stands on
-    std::optional<DesignPlace> m_shown; ///< whose report is on the page
+    Envelope m_inForce;           ///< what the step may use
+    DeviceId m_limitsOf;          ///< whose limits stand in the panel
+    std::uint64_t m_revision = 0; ///< of its parameters, that the comparison stands on
+    std::optional<Shown> m_shown; ///< what is on the page
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
     DesignOrders *m_orders = nullptr;

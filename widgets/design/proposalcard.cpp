@@ -56,39 +56,18 @@ QString inUnit(const Figure &figure)
                                                                         : figure.value + QChar(0x00A0) + figure.unit;
 }
 
-/// "1.61e−6": one digit of an exponent is enough.
-QString physicalNumber(double value)
-{
-    return formatSignificant(value, 3).replace(QStringLiteral("e−0"), QStringLiteral("e−"));
-}
-
-/// What a gain is to the motor, a share of full duty per count; nothing for what is no gain.
-QString perCount(Role role, const tuning::ContinuousGains &made, Mode loop)
-{
-    const bool velocity = loop == Mode::Velocity;
-    const QString perSpeed = ProposalCard::tr("s/count");
-    const QString perPlace = ProposalCard::tr("1/count");
-    const auto text = [](double value, const QString &unit) {
-        return value == 0.0 ? QString() : physicalNumber(value) + QLatin1Char(' ') + unit;
-    };
-    switch (role) {
-    case Role::Proportional: return text(made.p, velocity ? perSpeed : perPlace);
-    case Role::FeedForward: return text(made.f, velocity ? perSpeed : perPlace);
-    case Role::Integral: return text(made.i, velocity ? perPlace : ProposalCard::tr("1/(count·s)"));
-    case Role::Derivative: return text(made.d, velocity ? ProposalCard::tr("s²/count") : perSpeed);
-    default: return {};
-    }
-}
-
-/// The same of a turn of the shaft, where its counts are known.
-QString physicalText(const Family &family, const Parameter &row, const tuning::ScaledGains &gains, double number,
+/// What a gain is to the motor; nothing for what is no gain.
+QString physicalText(const Family &family, const Parameter &row, const tuning::ContinuousGains &made, double number,
     const ProposalCard::Scale &scale)
 {
-    const double counts = scale.loop == Mode::Current ? 1.0 : scale.countsPerRevolution;
-    const auto si = counts > 0.0 ? siGain(family, row, scale.loop, number, counts, scale.divisor) : std::nullopt;
-    return si                         ? physicalNumber(si->value) + QLatin1Char(' ') + si->unit
-        : scale.loop == Mode::Current ? QString()
-                                      : perCount(row.role, gains.made, scale.loop);
+    if (const auto si = siGain(family, row, scale.loop, number, scale.countsPerRevolution, scale.divisor))
+        return si->text();
+    const double of = row.role == Role::Proportional ? made.p
+        : row.role == Role::Integral                 ? made.i
+        : row.role == Role::Derivative               ? made.d
+        : row.role == Role::FeedForward              ? made.f
+                                                     : 0.0;
+    return of == 0.0 ? QString() : siGain(row.role, scale.loop, of, scale.countsPerRevolution).text();
 }
 
 } // namespace
@@ -151,9 +130,9 @@ void ProposalCard::addGains(
         addRow(isGain(parameter) ? *gains : *bounds, parameter, gain);
         if (!isGain(parameter))
             continue;
-        brief << shortName(parameter) + QChar(0x00A0) + formatSignificant(gain.number, 4);
-        QLabel *const physical = textLabel(
-            physicalText(family, parameter, proposal.gains, gain.number, scale), TextRole::Caption, Tone::Dim, this);
+        brief << shortName(parameter) + QChar(0x00A0) + shortNumber(parameter, gain.number);
+        QLabel *const physical = textLabel(physicalText(family, parameter, proposal.gains.made, gain.number, scale),
+            TextRole::Caption, Tone::Dim, this);
         physical->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         gains->addWidget(physical, gains->rowCount() - 1, 3);
     }

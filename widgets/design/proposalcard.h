@@ -22,8 +22,8 @@ public:
     /// What the gains are to the motor.
     struct Scale {
         Mode loop = Mode::Velocity;
-        double countsPerRevolution = 0.0; ///< 0: not known
-        double divisor = 1.0;             ///< of the set, where the loop has one
+        double countsPerRevolution = 0.0;
+        double divisor = 1.0; ///< of the set, where the loop has one
     };
     ProposalCard(const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal, const Scale &scale,
         QWidget *parent);

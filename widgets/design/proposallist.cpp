@@ -95,7 +95,7 @@ void ProposalList::setDensity(CardDensity density)
 
 void ProposalList::addCard(const DeviceView &view, const tuning::Proposal &proposal)
 {
-    ProposalCard::Scale scale{m_book.loop(), view.profile->calibrated(countsPerRevolutionKey), 1.0};
+    ProposalCard::Scale scale{m_book.loop(), m_book.countsPerRevolution(view), 1.0};
     for (const tuning::ScaledGains::Row &row : proposal.gains.rows) {
         if (roleOf(*view.family, row.key) == Role::Divisor)
             scale.divisor = row.number;

@@ -279,7 +279,7 @@ void HistoryPanel::count()
     const auto chosen = m_states.family() ? ticked().size() : 0;
     m_ticked->setText(isLive() ? tr("%1 ticked; a snapshot of what is there is taken first.").arg(chosen)
                                : tr("Choose what the device has now as A to write values of B."));
-    m_restore->setText(m_ready == Ready::Decide ? tr("Keep or put back first") : tr("Restore %1").arg(chosen));
+    m_restore->setText(m_ready == Ready::Decide ? tr("Keep or revert first") : tr("Restore %1").arg(chosen));
     m_restore->setEnabled(mayWrite());
 }
 

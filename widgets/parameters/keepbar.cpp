@@ -45,7 +45,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     , m_values(new ElidedLabel({}, this))
     , m_time(new QProgressBar(this))
     , m_keep(new CommandButton(theme, tr("Keep"), this))
-    , m_back(new CommandButton(theme, Symbol::Undo, tr("Put back"), this))
+    , m_back(new CommandButton(theme, Symbol::Undo, tr("Revert"), this))
 {
     setObjectName(QStringLiteral("keepBar"));
     setProperty("banner", QStringLiteral("caution"));
@@ -149,7 +149,7 @@ void KeepBar::showChange(const UnconfirmedView &view, int more)
     m_countdown->setText(stateText(view));
     m_countdown->setMinimumWidth(m_countdown->sizeHint().width());
     const QString caveat = view.state == State::Offered ? placeCaveat(view.unit) : QString();
-    const QString values = caveat + messageText(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
+    const QString values = caveat + messageText(view.text);
     m_values->setText(more > 0 ? tr("%1 · %n more change(s) after this one", nullptr, more).arg(values) : values);
     m_values->setToolTip(m_values->text());
     m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);

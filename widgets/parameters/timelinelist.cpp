@@ -108,8 +108,7 @@ void TimelineList::addState(int place)
 
 void TimelineList::addChange(const Family &family, const settings::SettingsChange &change)
 {
-    const QString values
-        = messageText(settings::textOf(family, change)).replace(QStringLiteral("->"), QStringLiteral("→"));
+    const QString values = messageText(settings::textOf(family, change));
     const QString when = clockText(momentOf(change.time));
     const QString who = change.origin == settings::Origin::Elsewhere
         ? originText(change.origin)
@@ -120,7 +119,7 @@ void TimelineList::addChange(const Family &family, const settings::SettingsChang
     else if (change.purpose == settings::Purpose::Redo)
         what = tr("done again: %1").arg(values);
     else if (change.purpose == settings::Purpose::Revert)
-        what = tr("put back: %1").arg(values);
+        what = tr("reverted: %1").arg(values);
     auto *row = new QListWidgetItem(when + QStringLiteral(" · ") + who + QLatin1Char('\n') + what, this);
     row->setFlags(Qt::ItemIsEnabled);
     row->setData(TitleRole, who);

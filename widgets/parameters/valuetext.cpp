@@ -30,7 +30,7 @@ QString number(double value)
 std::string shortest(const Parameter &parameter, double value)
 {
     const auto raw = toRaw(parameter, value);
-    return raw ? toText(parameter, *raw) : numberText(value);
+    return raw ? shownText(parameter, *raw) : numberText(value);
 }
 
 int hexDigits(WireType type)
@@ -109,7 +109,7 @@ QString valueText(const Parameter &parameter, std::int64_t raw)
     }
     if (parameter.type == WireType::Boolean)
         return raw != 0 ? ValueText::tr("on") : ValueText::tr("off");
-    return screen(toText(parameter, raw));
+    return screen(shownText(parameter, raw));
 }
 
 QString fieldText(const Parameter &parameter, std::int64_t raw)
@@ -118,7 +118,7 @@ QString fieldText(const Parameter &parameter, std::int64_t raw)
         if (choice.raw == raw)
             return qt(choice.label);
     }
-    return localNumber(qt(toText(parameter, raw)));
+    return localNumber(qt(shownText(parameter, raw)));
 }
 
 QString rawText(const Parameter &parameter, std::int64_t raw)

@@ -10,7 +10,7 @@
 namespace mb {
 
 /// Texts of parameter values for people, and back. Screen texts have U+2212, texts for fields have "-", both the decimal
-/// sign of the program. Never grouped: a value can be copied from the table into a field.
+/// sign of the program. Never grouped: a value can be copied from the table into a field. A gain has four digits at least.
 
 [[nodiscard]] QString valueText(const Parameter &parameter, std::int64_t raw);
 [[nodiscard]] QString fieldText(const Parameter &parameter, std::int64_t raw);
