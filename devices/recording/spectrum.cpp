@@ -4,9 +4,9 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
-#include <numeric>
 #include <span>
 
 namespace mb {
@@ -65,16 +65,54 @@ std::vector<double> resampled(std::span<const Point> points, std::size_t count, 
     return even;
 }
 
-/// Amplitudes of the waves in `even`, whose mean is gone: an amplitude of 1 gives 1, window and all.
+double hann(std::size_t i, std::size_t count)
+{
+    return 0.5 * (1.0 - std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count)));
+}
+
+/// Takes the line of least squares off, under the window, which is even about its middle.
+void flatten(std::vector<double> &even)
+{
+    constexpr double rounding = 1e-9;
+    const std::size_t count = even.size();
+    const auto place = [count](std::size_t i) { return static_cast<double>(i) / static_cast<double>(count) - 0.5; };
+    double weights = 0.0;
+    double mean = 0.0;
+    double slope = 0.0;
+    double squares = 0.0;
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double weight = hann(i, count);
+        weights += weight;
+        mean += weight * even[i];
+        slope += weight * place(i) * even[i];
+        squares += weight * place(i) * place(i);
+        greatest = std::max(greatest, std::abs(even[i]));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        even[i] -= mean / weights + slope / squares * place(i);
+    if (std::ranges::all_of(even, [greatest](double rest) { return std::abs(rest) <= rounding * greatest; }))
+        std::ranges::fill(even, 0.0); // a line, or nothing at all
+}
+
+/// Of the amplitudes from `first` to `last`.
+double middleOf(const std::vector<double> &amplitude, std::size_t first, std::size_t last)
+{
+    std::vector<double> some(amplitude.begin() + static_cast<std::ptrdiff_t>(first),
+        amplitude.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+    std::nth_element(some.begin(), middle, some.end());
+    return *middle;
+}
+
+/// Amplitudes of the waves in `even`, whose line is gone: an amplitude of 1 gives 1, window and all.
 std::vector<double> amplitudes(std::vector<double> even)
 {
     const std::size_t count = even.size();
     double gain = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-        const double weight = 0.5 * (1.0 - std::cos(turn));
-        gain += weight;
-        even[i] *= weight;
+        gain += hann(i, count);
+        even[i] *= hann(i, count);
     }
     struct Free {
         void operator()(fftw_complex *memory) const { fftw_free(memory); }
@@ -91,10 +129,24 @@ std::vector<double> amplitudes(std::vector<double> even)
 
 } // namespace
 
-std::size_t Spectrum::peak() const
+std::optional<std::size_t> Spectrum::peak() const
 {
-    const auto highest = std::ranges::max_element(amplitude);
-    return highest == amplitude.end() ? 0 : static_cast<std::size_t>(highest - amplitude.begin());
+    constexpr double standsOut = 5.0;  // times the middle of its neighbours, which noise does not reach
+    constexpr std::size_t foot = 2;    // what the window makes of one wave ends there
+    constexpr std::size_t around = 32; // neighbours on each side, no more than an octave
+    constexpr std::size_t leastAbove = 8;
+    std::optional<std::size_t> found;
+    for (std::size_t i = firstWave; i + foot < amplitude.size(); ++i) {
+        const double wave = amplitude[i];
+        if (wave <= amplitude[i - 1] || wave < amplitude[i + 1] || wave <= (found ? amplitude[*found] : 0.0))
+            continue;
+        const std::size_t low = std::max({std::size_t{1}, i / 2, i - std::min(i, foot + around)});
+        const std::size_t high = std::min(amplitude.size() - 1, i + std::max(leastAbove, std::min(i, foot + around)));
+        if (wave > standsOut * middleOf(amplitude, low, i - foot)
+            && wave > standsOut * middleOf(amplitude, i + foot, high))
+            found = i;
+    }
+    return found;
 }
 
 Result<Spectrum> spectrumOf(const std::vector<Point> &points)
@@ -108,9 +160,7 @@ Result<Spectrum> spectrumOf(const std::vector<Point> &points)
     if (count < leastSamples)
         return fail(Fault::OutOfRange, say("fewer than 16 samples connect"), say("select a longer stretch"));
     std::vector<double> even = resampled(stretch, count, step);
-    const double mean = std::accumulate(even.begin(), even.end(), 0.0) / static_cast<double>(count);
-    for (double &value : even)
-        value -= mean;
+    flatten(even);
     Spectrum spectrum;
     spectrum.rate = 1.0 / inSeconds(step);
     spectrum.resolution = spectrum.rate / static_cast<double>(count);

@@ -4,12 +4,15 @@
 #include "async/result.h"
 #include "telemetry/history.h"
 
+#include <optional>
 #include <vector>
 
 namespace mb {
 
 /// The amplitudes of the sine waves that a stretch of samples is made of.
 struct Spectrum {
+    static constexpr std::size_t firstWave = 3; ///< what is below is of the window and of what drifts
+
     double rate = 0.0;             ///< samples per second of the even grid
     double resolution = 0.0;       ///< Hz between two amplitudes
     std::vector<double> amplitude; ///< peak value of the wave at i × resolution, in the unit of the samples; 0 is 0
@@ -17,12 +20,12 @@ struct Spectrum {
     Instant to{};
     bool shortened = false; ///< a gap, or the longest length, left only a part of the selection
 
-    /// The largest amplitude, or 0 when there is none.
-    [[nodiscard]] std::size_t peak() const;
+    /// The largest wave that stands out of what is on both sides of it; nothing where none does: a step has no frequency.
+    [[nodiscard]] std::optional<std::size_t> peak() const;
     [[nodiscard]] double frequency(std::size_t index) const { return static_cast<double>(index) * resolution; }
 };
 
-/// The longest stretch without a gap, at most 2^20 samples, its mean taken off, on an even grid (line between neighbours)
+/// The longest stretch without a gap, at most 2^20 samples, without its line of least squares, on an even grid (line between neighbours)
 /// at the median distance of the samples, under a Hann window. OutOfRange when fewer than 16 samples connect.
 [[nodiscard]] Result<Spectrum> spectrumOf(const std::vector<Point> &points);
 

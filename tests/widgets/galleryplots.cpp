@@ -61,7 +61,7 @@ QWidget *livePlotPage(const ThemeSource &theme)
         sampled(95, 112, 0.005, [](double t) { return 8192 * std::sin(t + 0.3); }));
     stack->strips().annotate<PlotLimit>(
         1, {{60, s("peak limit 60 A"), TraceRole::Current}, {30, s("limit 30 A"), TraceRole::Current}});
-    stack->strips().setClock(WallClock{std::chrono::seconds(1'718'100'000), {}});
+    stack->strips().times().setClock(WallClock{std::chrono::seconds(1'718'100'000), {}});
     stack->strips().setWatermark(s("DEMO"));
     stack->view().setRange(100, 112);
     stack->setCursorsShown(true);

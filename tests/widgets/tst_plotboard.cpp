@@ -2,6 +2,7 @@
 #include "plotbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/numberfield.h"
+#include "widgets/plots/plottickers.h"
 
 #include <QComboBox>
 #include <QSet>
@@ -133,12 +134,19 @@ void TestPlotBoard::theTriggerStandsStillAtTheEventAndGoesOn()
     QVERIFY(std::abs(bench.stack().readings().valueAt(bench.trace("#5 velocity").id, event) - 30000.0) < 1500.0);
     const auto [from, to] = bench.stack().view().range();
     QVERIFY(std::abs((event - from) / (to - from) - 0.2) < 0.02); // 20 % before it
+    const auto ticks
+        = bench.stack().strips().all().front()->keys().ticker().dynamicCast<TimeTicker>(); // 0 is the trigger
+    ticks->setClock(WallClock{});
+    QCOMPARE(ticks->text(event - 0.4, 0.1), QString::fromUtf8("−0.4"));
+    QCOMPARE(ticks->text(event, 0.1), s("0.0"));
+    QVERIFY(ticks->showsSeconds());
     bench.pass(1.5, 0.0);
     QCOMPARE(*bench.page->trigger().watch().event(), event); // downwards is none
     bench.pass(1.0, 60000.0);
     QTRY_VERIFY(*bench.page->trigger().watch().event() > event + 1.0);
     QCOMPARE(bench.page->trigger().watch().events(), 2);
     bench.page->trigger().disarm();
+    QVERIFY(ticks->text(event, 1.0) != s("0")); // the time of day again
     bench.pass(0.5, 60000.0);
     QVERIFY(bench.stack().view().range().second >= plotKey(bench.workbench.time) - 0.1);
 }

@@ -260,7 +260,7 @@ void TunePlot::rebuild(const DeviceView &device)
 
 void TunePlot::follow(const DeviceView &device)
 {
-    m_stack->strips().setClock(m_workbench.wallClock(device.link));
+    m_stack->strips().times().setClock(m_workbench.wallClock(device.link));
     for (const auto &source : m_sources) {
         const std::size_t place = source->channel().value;
         source->follow(place < device.rates.size() ? device.rates[place] : 0.0, m_workbench.presentOf(device.link));

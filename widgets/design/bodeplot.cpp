@@ -129,8 +129,6 @@ BodePlot::BodePlot(const ThemeSource &theme, QWidget *parent)
     m_phase->setSurroundings({false, false, true, labelRoom, true});
     m_phase->setLeastRange(-3.0 * quarterTurn, 0.0);
     m_phase->plot().yAxis->setTicker(QSharedPointer<PhaseTicker>::create());
-    for (CurvePlot *plot : {m_magnitude, m_phase})
-        plot->plot().xAxis->setTicker(QSharedPointer<DecadeTicker>::create());
     const auto follow = [](CurvePlot *leader, CurvePlot *follower) {
         connect(leader->plot().xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), follower,
             [follower](const QCPRange &range) {

@@ -63,7 +63,7 @@ Curve curveOf(const Spectrum &spectrum, const AnalysedTrace &trace)
     curve.look.dash = TraceDash::Solid;
     const auto size = static_cast<int>(spectrum.amplitude.size());
     const int step = std::max(1, size / mostBins);
-    for (int i = 1; i < size; i += step) {
+    for (auto i = static_cast<int>(Spectrum::firstWave); i < size; i += step) {
         const auto begin = spectrum.amplitude.begin() + i;
         const auto highest = std::max_element(begin, spectrum.amplitude.begin() + std::min(i + step, size));
         curve.x << spectrum.frequency(static_cast<std::size_t>(highest - spectrum.amplitude.begin()));
@@ -74,12 +74,14 @@ Curve curveOf(const Spectrum &spectrum, const AnalysedTrace &trace)
 
 QString peakText(const Spectrum &spectrum, const AnalysedTrace &trace)
 {
-    const std::size_t peak = spectrum.peak();
+    const auto peak = spectrum.peak();
+    if (!peak)
+        return AnalysisText::tr("%1: peak –").arg(trace.name);
     return AnalysisText::tr("%1: peak %2 at %3 Hz")
         .arg(trace.name,
-            formatSignificant(spectrum.amplitude[peak] * std::abs(trace.source->scale()), 3) + QChar(QChar::Nbsp)
+            formatSignificant(spectrum.amplitude[*peak] * std::abs(trace.source->scale()), 3) + QChar(QChar::Nbsp)
                 + trace.unit,
-            formatSignificant(spectrum.frequency(peak), 4));
+            formatSignificant(spectrum.frequency(*peak), 4));
 }
 
 /// Amplitude against frequency of each trace between two keys, at most `most` of its newest samples.
@@ -241,7 +243,7 @@ SpectrumView::SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource
 {
     auto *column = layoutIn<QVBoxLayout>(this);
     column->addWidget(m_plot);
-    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
+    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude"), true, true);
 }
 
 void SpectrumView::follow()
@@ -263,7 +265,7 @@ void SpectrumView::refresh()
     const auto [from, to] = stretchOf(m_stack);
     const bool still = selection || !m_stack.view().isLive();
     const Analysis analysis = spectra(traces, from, to, still ? pausedSamples : liveSamples);
-    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude, %1").arg(units.join(QStringLiteral(", "))), true);
+    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude, %1").arg(units.join(QStringLiteral(", "))), true, true);
     m_plot->setWatermark(m_stack.strips().watermark());
     m_plot->setCurves(analysis.curves);
     m_plot->setNote(

@@ -134,10 +134,8 @@ void CurvePlot::setAxis(QCPAxis &axis, const QString &label, bool logarithmic)
     if (type == axis.scaleType())
         return;
     axis.setScaleType(type);
-    axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(QSharedPointer<QCPAxisTickerLog>::create())
+    axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(QSharedPointer<DecadeTicker>::create())
                                : QSharedPointer<NumberTicker>::create());
-    axis.setNumberFormat(QStringLiteral("gb"));
-    axis.setNumberPrecision(3);
     m_fitted = false;
 }
 

@@ -242,7 +242,7 @@ bool PlotBoard::takeIn()
 
 void PlotBoard::follow()
 {
-    m_stack.strips().setClock(m_workbench.wallClock(link()));
+    m_stack.strips().times().setClock(m_workbench.wallClock(link()));
     bool other = m_book.complete();
     other = letGo() || other;
     other = takeIn() || other;

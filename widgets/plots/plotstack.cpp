@@ -41,7 +41,10 @@ PlotStack::PlotStack(const ThemeSource &theme, QWidget *parent)
 void PlotStack::connectParts()
 {
     connect(m_strips, &PlotStrips::changed, this, &PlotStack::touch);
-    connect(m_view, &PlotView::changed, this, &PlotStack::touch);
+    connect(m_view, &PlotView::changed, this, [this] {
+        m_strips->times().setEvent(m_view->heldKey());
+        touch();
+    });
     connect(m_view, &PlotView::liveChanged, this, &PlotStack::announce);
     connect(m_input, &PlotInput::fitRequested, this, &PlotStack::fit);
     connect(m_input, &PlotInput::cursorsToggled, this, [this] { setCursorsShown(!cursorsShown()); });

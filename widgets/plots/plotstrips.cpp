@@ -215,16 +215,6 @@ void PlotStrips::setValueRange(int strip, std::optional<std::pair<double, double
     Q_EMIT changed();
 }
 
-void PlotStrips::setClock(std::optional<WallClock> clock)
-{
-    m_timeTicker->setClock(std::move(clock));
-}
-
-const std::optional<WallClock> &PlotStrips::clock() const
-{
-    return m_timeTicker->clock();
-}
-
 void PlotStrips::setWatermark(const QString &text)
 {
     m_watermark = text;

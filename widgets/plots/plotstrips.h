@@ -78,9 +78,9 @@ public:
 
     /// A fixed value axis; empty returns to following the data.
     void setValueRange(int strip, std::optional<std::pair<double, double>> range);
-    /// Time of day on the axis; empty: seconds.
-    void setClock(std::optional<WallClock> clock);
-    [[nodiscard]] const std::optional<WallClock> &clock() const;
+    /// What the time axis says: the time of day, or seconds.
+    [[nodiscard]] TimeTicker &times() { return *m_timeTicker; }
+    [[nodiscard]] const std::optional<WallClock> &clock() const { return m_timeTicker->clock(); }
     /// "DEMO" behind every strip and in every export.
     void setWatermark(const QString &text);
     [[nodiscard]] QString watermark() const { return m_watermark; }

@@ -18,6 +18,21 @@ namespace {
 
 constexpr double nextRound = 2.6;         ///< times a round step, below the one after it
 constexpr double fromLabelToLabel = 1.25; ///< heights of one
+constexpr double wholeDecadesFrom = 1e3;  ///< of a range, which has enough of them
+
+QString labelOf(double tick)
+{
+    if (tick != 0 && (std::abs(tick) >= 1e7 || std::abs(tick) < 1e-4))
+        return QString::number(tick, 'g', 4)
+            .replace(QLatin1Char('.'), decimalSign())
+            .replace(QLatin1Char('-'), MinusSign);
+    const double rounded = std::round(tick * 1e6) / 1e6;
+    QString plain = QString::number(std::abs(rounded), 'f', 6);
+    while (plain.endsWith(QLatin1Char('0')))
+        plain.chop(1);
+    const int decimals = plain.endsWith(QLatin1Char('.')) ? 0 : plain.size() - plain.indexOf(QLatin1Char('.')) - 1;
+    return formatNumber(rounded, decimals);
+}
 
 } // namespace
 
@@ -41,16 +56,7 @@ bool NumberTicker::spaceLabels(int label, int axis)
 
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
-    if (tick != 0 && (std::abs(tick) >= 1e7 || std::abs(tick) < 1e-4))
-        return QString::number(tick, 'g', 4)
-            .replace(QLatin1Char('.'), decimalSign())
-            .replace(QLatin1Char('-'), MinusSign);
-    const double rounded = std::round(tick * 1e6) / 1e6;
-    QString plain = QString::number(std::abs(rounded), 'f', 6);
-    while (plain.endsWith(QLatin1Char('0')))
-        plain.chop(1);
-    const int decimals = plain.endsWith(QLatin1Char('.')) ? 0 : plain.size() - plain.indexOf(QLatin1Char('.')) - 1;
-    return formatNumber(rounded, decimals);
+    return labelOf(tick);
 }
 
 QVector<double> DecadeTicker::createTickVector(double, const QCPRange &range)
@@ -59,16 +65,16 @@ QVector<double> DecadeTicker::createTickVector(double, const QCPRange &range)
     if (range.lower <= 0.0)
         return ticks;
     for (double decade = std::pow(10.0, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10.0) {
-        for (const double share : {1.0, 2.0, 5.0})
-            ticks.append(share * decade);
+        ticks.append(decade);
+        if (range.upper < wholeDecadesFrom * range.lower)
+            ticks << 2.0 * decade << 5.0 * decade;
     }
     return ticks;
 }
 
 QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
-    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(tick) - 1e-9)));
-    return formatNumber(tick, decimals);
+    return labelOf(tick);
 }
 
 double TimeTicker::getTickStep(const QCPRange &range)
@@ -87,12 +93,20 @@ double TimeTicker::getTickStep(const QCPRange &range)
 QString TimeTicker::text(double key, double step) const
 {
     const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-    if (!m_clock)
-        return formatNumber(std::abs(key) < step * 1e-6 ? 0.0 : key, decimals);
+    if (!m_clock || m_event) {
+        const double seconds = key - m_event.value_or(0.0);
+        return formatNumber(std::abs(seconds) < step * 1e-6 ? 0.0 : seconds, decimals);
+    }
     const QDateTime time = momentOf(key + clockShift(*m_clock, key));
     if (decimals == 0)
         return clockText(time);
     return localNumber(time.toString(QStringLiteral("ss.zzz")).left(3 + std::min(decimals, 3)));
+}
+
+void TimeTicker::setEvent(std::optional<double> key)
+{
+    m_event = key;
+    setTickOrigin(key.value_or(0.0));
 }
 
 QString TimeTicker::getTickLabel(double tick, const QLocale &, QChar, int)

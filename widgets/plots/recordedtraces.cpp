@@ -35,7 +35,7 @@ std::vector<int> showRecording(PlotStack &stack, const LoadedRecording &recordin
     const double from = plotKey(recording.first);
     const double to = plotKey(recording.last);
     if (recording.hasClock)
-        stack.strips().setClock(WallClock{});
+        stack.strips().times().setClock(WallClock{});
     if (recording.simulated)
         stack.strips().setWatermark(QStringLiteral("DEMO"));
     stack.view().setWhole(from, to > from ? to : from + 1.0);
