@@ -17,6 +17,7 @@ struct DecodedField {
     std::string_view name;
     double value = 0.0;
     std::string_view unit;
+    std::string_view word{}; ///< what this value is called: "velocity" of a mode; empty: it is a number
 };
 struct DecodedFrame {
     std::string_view family;

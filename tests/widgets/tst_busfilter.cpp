@@ -232,7 +232,8 @@ void BusFilterTest::valuesAreForPeople()
     QCOMPARE(fieldValue({"velcnt", -10236, "counts/100 ms"}), QString::fromUtf8("−10\u202F236\u00A0counts/100 ms"));
     QCOMPARE(fieldValue({"vltgVbus", 12.4140625, "V"}), QString::fromUtf8("12.414\u00A0V"));
     QCOMPARE(fieldValue({"perc", 0, {}}), QStringLiteral("0"));
-    QVERIFY(!fullScale("1/32767 per 0.5 ms"));
+    QCOMPARE(fullScale("1/32767 per 0.5 ms").value_or(0.0), 32767.0);
+    QCOMPARE(fieldValue({"vltgRampSet", 3276.7, "1/32767 per 0.5 ms"}), QString::fromUtf8("10.0\u00A0% per 0.5 ms"));
     QCOMPARE(hexId(canFrameFromText("123#").value()), QStringLiteral("123"));
     CanFrame error;
     error.error = true;

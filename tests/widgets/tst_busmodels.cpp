@@ -68,10 +68,10 @@ void BusModelsTest::framesAppearDecodedInTheirOrder()
     QCOMPARE(cell(model, 0, FrameModel::Id), QStringLiteral("02061405"));
     QCOMPARE(cell(model, 0, FrameModel::Message), QStringLiteral("STSGENERAL"));
     QCOMPARE(cell(model, 0, FrameModel::Address), QStringLiteral("5"));
-    QVERIFY(cell(model, 0, FrameModel::Decoded).contains(QString::fromUtf8("dtcApplied=29.4\u00A0%")));
+    QVERIFY(cell(model, 0, FrameModel::Decoded).startsWith(QString::fromUtf8("mode=velocity  duty=29.4\u00A0%  err=")));
     QCOMPARE(cell(model, 0, FrameModel::Data), QStringLiteral("A1 25 11 00 08 07 00 00"));
     QCOMPARE(cell(model, 1, FrameModel::Dir), QStringLiteral("tx"));
-    QVERIFY(cell(model, 1, FrameModel::Decoded).contains(QString::fromUtf8("trgt=10\u202F240")));
+    QVERIFY(cell(model, 1, FrameModel::Decoded).contains(QString::fromUtf8("target=10\u202F240")));
     QCOMPARE(cell(model, 2, FrameModel::Message), QStringLiteral("unknown"));
     QCOMPARE(model.seen(), 4U);
     QCOMPARE(model.skipped(), 0U);
@@ -343,7 +343,7 @@ void BusModelsTest::identifiersHaveExactNumbers()
     QCOMPARE(cell(model, 0, IdModel::Count), QString::fromUtf8("1\u202F000"));
     QCOMPARE(cell(model, 0, IdModel::Rate), QStringLiteral("100"));
     QCOMPARE(cell(model, 0, IdModel::Jitter), QStringLiteral("1.00"));
-    QCOMPARE(cell(model, 0, IdModel::Value), QString::fromUtf8("29.4\u00A0%  dtcApplied"));
+    QCOMPARE(cell(model, 0, IdModel::Value), QString::fromUtf8("duty 29.4\u00A0%"));
     QCOMPARE(cell(model, 1, IdModel::Message), QStringLiteral("STSENCODER"));
     QVERIFY(model.busiest() != nullptr);
     QCOMPARE(model.busiest()->rate, 100.0);
@@ -425,8 +425,8 @@ void BusModelsTest::theChosenFieldIsShownForAllOfItsMessage()
     traffic.add(unknown);
     model.refresh(traffic.now);
     model.chooseField(0, QStringLiteral("modeSelect"));
-    QCOMPARE(cell(model, 0, IdModel::Value), QStringLiteral("1  modeSelect"));
-    QCOMPARE(cell(model, 1, IdModel::Value), QStringLiteral("2  modeSelect"));
+    QCOMPARE(cell(model, 0, IdModel::Value), QStringLiteral("mode velocity"));
+    QCOMPARE(cell(model, 1, IdModel::Value), QStringLiteral("mode position"));
     model.chooseField(2, QStringLiteral("modeSelect"));
     QCOMPARE(cell(model, 2, IdModel::Value), QString::fromUtf8("–"));
 }

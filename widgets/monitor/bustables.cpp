@@ -53,7 +53,7 @@ void BusTables::build()
     m_frames->setModel(&m_model);
     m_frames->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_idTable = new TrafficView(
-        m_theme, tr("Identifiers"), {88, 44, 108, 42, 62, 72, 66, 208, 118, 80}, IdModel::Value, m_lower);
+        m_theme, tr("Identifiers"), {88, 44, 132, 42, 72, 72, 66, 208, 118, 80}, IdModel::Value, m_lower);
     m_idTable->setSpare({IdModel::Data});
     m_idTable->setSharing(IdModel::Spark);
     m_idTable->setModel(&m_ids);

@@ -294,6 +294,10 @@ QVariant FrameModel::data(const QModelIndex &index, int role) const
     const int column = index.column();
     switch (role) {
     case Qt::DisplayRole: return text(frame, column);
+    case Qt::ToolTipRole: {
+        const FrameMeaning *known = column == Decoded ? meaning(frame) : nullptr;
+        return known ? QVariant(wireLine(known->frame)) : QVariant();
+    }
     case Qt::ForegroundRole: return color(frame, column);
     case Qt::BackgroundRole: return background(frame);
     case Qt::TextAlignmentRole:

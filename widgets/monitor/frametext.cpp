@@ -10,7 +10,9 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -31,6 +33,34 @@ QString trimmedNumber(double value)
     while (text.endsWith(QLatin1Char('0')))
         text.chop(1);
     return text.endsWith(QLatin1Char('.')) ? text.left(text.size() - 1) : text;
+}
+
+/// What a field is called in a line; others have their names, and flags a name of words.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> shortNames{
+    {{"dtcApplied", "duty"}, {"modeSelect", "mode"}, {"errCLoop", "err"}, {"trgt", "target"}, {"pidsltSelect", "slot"},
+        {"vltgRampSet", "ramp"}, {"poscnt", "pos"}, {"velcnt", "vel"}, {"vltgAnalogIn", "ain"}, {"crntOutput", "I"},
+        {"tmpAmbient", "case"}, {"vltgVbus", "bus"}, {"sessid", "session"}, {"paramid", "parameter"},
+        {"perc", "result"}, {"LOG", "log"}, {"TYPE", "loop"}, {"FIELD", "field"}}};
+
+/// "fwd limit pin" of "fFwdLimitPin"; what is written in capitals stays so.
+QString flagWords(std::string_view name)
+{
+    QString words;
+    const QString letters = qt(name);
+    for (int i = 1; i < letters.size(); ++i) {
+        const bool isLast = i + 1 == letters.size();
+        const bool begins = letters[i].isUpper() && (letters[i - 1].isLower() || (!isLast && letters[i + 1].isLower()));
+        if (i > 1 && begins)
+            words += QLatin1Char(' ');
+        words += begins && !isLast && letters[i + 1].isLower() ? letters[i].toLower() : letters[i];
+    }
+    return words;
+}
+
+/// Words first, then what has a unit, then bare numbers; flags are last.
+int rankOf(const DecodedField &field)
+{
+    return isFlag(field) ? 3 : !field.word.empty() ? 0 : !field.unit.empty() ? 1 : 2;
 }
 
 } // namespace
@@ -68,14 +98,18 @@ std::optional<double> fullScale(std::string_view unit)
 {
     if (!unit.starts_with("1/"))
         return std::nullopt;
-    const auto scale = numberFrom(unit.substr(2));
+    const auto scale = numberFrom(unit.substr(2, unit.find(' ') - 2));
     return scale && *scale > 0.0 ? scale : std::nullopt;
 }
 
 QString fieldValue(const DecodedField &field)
 {
-    if (const auto scale = fullScale(field.unit))
-        return formatValue(field.value / *scale * 100.0, 1, QStringLiteral("%"));
+    if (!field.word.empty())
+        return qt(field.word);
+    if (const auto scale = fullScale(field.unit)) {
+        const std::size_t rest = std::min(field.unit.find(' '), field.unit.size());
+        return formatValue(field.value / *scale * 100.0, 1, QStringLiteral("%") + qt(field.unit.substr(rest)));
+    }
     const QString number = trimmedNumber(field.value);
     return field.unit.empty() ? number : number + QChar(QChar::Nbsp) + qt(field.unit);
 }
@@ -92,15 +126,32 @@ bool isFlag(const DecodedField &field)
         && field.name[1] <= 'Z';
 }
 
+QString fieldName(const DecodedField &field)
+{
+    const auto *const known
+        = std::ranges::find(shortNames, field.name, &std::pair<std::string_view, std::string_view>::first);
+    return known != shortNames.end() ? qt(known->second) : isFlag(field) ? flagWords(field.name) : qt(field.name);
+}
+
 QString fieldsLine(const DecodedFrame &frame)
 {
+    std::vector<DecodedField> fields = frame.fields;
+    std::ranges::stable_sort(fields, {}, rankOf);
     QStringList parts;
-    for (const DecodedField &field : frame.fields) {
+    for (const DecodedField &field : fields) {
         if (!isFlag(field))
-            parts += qt(field.name) + QLatin1Char('=') + fieldValue(field);
+            parts += fieldName(field) + QLatin1Char('=') + fieldValue(field);
         else if (field.value != 0.0)
-            parts += qt(field.name);
+            parts += fieldName(field);
     }
+    return parts.join(QStringLiteral("  "));
+}
+
+QString wireLine(const DecodedFrame &frame)
+{
+    QStringList parts;
+    for (const DecodedField &field : frame.fields)
+        parts += qt(field.name) + QLatin1Char('=') + wireValue(field);
     return parts.join(QStringLiteral("  "));
 }
 

@@ -227,7 +227,7 @@ QString IdModel::valueText(const Row &row) const
     if (field < 0)
         return UnknownMark;
     const DecodedField &shown = row.meaning->frame.fields[static_cast<std::size_t>(field)];
-    return fieldValue(shown) + QStringLiteral("  ") + qt(shown.name);
+    return fieldName(shown) + QLatin1Char(' ') + fieldValue(shown);
 }
 
 QString IdModel::text(const Row &row, int column) const
@@ -263,7 +263,7 @@ QString IdModel::tip(const Row &row, int column) const
                 millisecondsText(traffic.worst, 3));
     const FrameMeaning *known = meaningOf(row);
     if ((column == Value || column == Spark) && known)
-        return fieldsLine(known->frame) + QLatin1Char('\n') + tr("Right click: choose the field");
+        return wireLine(known->frame) + QLatin1Char('\n') + tr("Right click: choose the field");
     return {};
 }
 

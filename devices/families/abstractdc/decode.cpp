@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::array<std::string_view, logCount> logNames{
     "position log", "speed log", "current log", "temperature log", "voltage log"};
+constexpr std::array<std::string_view, logCount> logWords{"position", "velocity", "current", "temperature", "duty"};
+constexpr std::array<std::string_view, fieldCount> fieldWords{"P", "I", "D", "divisor", "averaging"};
+constexpr std::array<std::string_view, loopCount> loopWords{"off", "velocity", "current", "position", "duty"};
 constexpr std::array<std::string_view, logCount> logUnits{"counts", "counts/s", "ADC", "ADC", "PWM"};
 constexpr std::array<std::string_view, loopCount> loopUnits{"", "counts/s", "ADC", "counts", "PWM"};
 
@@ -48,7 +51,7 @@ std::optional<DecodedFrame> setPoint(const Dialect &dialect, const CanFrame &fra
 {
     DecodedFrame decoded = made("setpoint", offset);
     if (isStop(frame) && dialect.canStop()) {
-        decoded.fields = {{"TYPE", 0.0, {}}, {"value", 0.0, {}}};
+        decoded.fields = {{"TYPE", 0.0, {}, loopWords[0]}, {"value", 0.0, {}}};
         return decoded;
     }
     const auto loop = decodeSetPoint(dialect, offset, frame);
@@ -56,8 +59,9 @@ std::optional<DecodedFrame> setPoint(const Dialect &dialect, const CanFrame &fra
         return std::nullopt;
     const auto value = static_cast<std::int32_t>(readU32le(frame.data, dialect.wide ? 4 : 1));
     decoded.control = *loop != Loop::None;
-    decoded.fields = {{"TYPE", static_cast<double>(frame.data[0]), {}},
-        {"value", static_cast<double>(value), loopUnits.at(static_cast<std::size_t>(*loop))}};
+    const auto which = static_cast<std::size_t>(*loop);
+    decoded.fields = {{"TYPE", static_cast<double>(frame.data[0]), {}, loopWords.at(which)},
+        {"value", static_cast<double>(value), loopUnits.at(which)}};
     return decoded;
 }
 
@@ -68,9 +72,12 @@ std::optional<DecodedFrame> settings(const Dialect &dialect, const CanFrame &fra
     if (!saved && !written)
         return std::nullopt;
     DecodedFrame decoded = made(saved ? "save" : "settings", offset);
-    decoded.fields = {{"TYPE", static_cast<double>(dialect.codeOf(saved ? *saved : written->loop)), {}}};
+    const Loop loop = saved ? *saved : written->loop;
+    decoded.fields
+        = {{"TYPE", static_cast<double>(dialect.codeOf(loop)), {}, loopWords.at(static_cast<std::size_t>(loop))}};
     if (written) {
-        decoded.fields.push_back({"FIELD", static_cast<double>(dialect.codeOf(written->field)), {}});
+        decoded.fields.push_back({"FIELD", static_cast<double>(dialect.codeOf(written->field)), {},
+            fieldWords.at(static_cast<std::size_t>(written->field))});
         decoded.fields.push_back({"value", static_cast<double>(written->value), {}});
     }
     return decoded;
@@ -81,10 +88,12 @@ std::optional<DecodedFrame> logRequest(const CanFrame &frame)
 {
     for (const Dialect *dialect : dialects) {
         const auto offset = offsetIn(frame, dialect->request);
-        if (frame.size != 1 || !offset || std::ranges::find(dialect->log, frame.data[0]) == dialect->log.end())
+        const auto log = std::ranges::find(dialect->log, frame.data[0]);
+        if (frame.size != 1 || !offset || log == dialect->log.end())
             continue;
         DecodedFrame decoded = made("log request", *offset);
-        decoded.fields.push_back({"LOG", static_cast<double>(frame.data[0]), {}});
+        decoded.fields.push_back({"LOG", static_cast<double>(frame.data[0]), {},
+            logWords.at(static_cast<std::size_t>(log - dialect->log.begin()))});
         return decoded;
     }
     return std::nullopt;

@@ -11,12 +11,13 @@
 namespace mb::dmc60c {
 namespace {
 
-/// One field of a message; the unit is fixed, or follows from the frame (the mode, the parameter).
+/// One field of a message; unit and word follow from the frame (the mode, the parameter), or the unit is fixed.
 struct Field {
     std::string_view name;
     double (*value)(const CanFrame &) = nullptr;
     std::string_view unit{};
     std::string_view (*unitIn)(const CanFrame &) = nullptr;
+    std::string_view (*wordIn)(const CanFrame &) = nullptr;
 };
 
 struct Layout {
@@ -64,6 +65,20 @@ std::string_view unitOfMode(ControlMode mode)
     case ControlMode::VoltageCompensated: return "V";
     case ControlMode::Follower:
     case ControlMode::NoDrive: break;
+    }
+    return {};
+}
+
+std::string_view wordOfMode(ControlMode mode)
+{
+    switch (mode) {
+    case ControlMode::Voltage: return "duty";
+    case ControlMode::Velocity: return "velocity";
+    case ControlMode::Position: return "position";
+    case ControlMode::Current: return "current";
+    case ControlMode::VoltageCompensated: return "voltage";
+    case ControlMode::Follower: return "follow";
+    case ControlMode::NoDrive: return "off";
     }
     return {};
 }
@@ -118,6 +133,12 @@ template <int Number> std::string_view parameterUnit(const CanFrame &f)
     return index ? parameterTable()[index->value].unit : std::string_view{};
 }
 
+template <int Number> std::string_view parameterKey(const CanFrame &f)
+{
+    const auto index = parameterWithId(f.data[Number]);
+    return index ? parameterTable()[index->value].key : std::string_view{};
+}
+
 constexpr Field enumResponse0[] = {{"sessid", u16<0>}, {"pdid", u32<2>}};
 constexpr Field enumResponse1[] = {
     {"sessid", u16<0>},
@@ -137,11 +158,11 @@ constexpr Field bulk[] = {
     {"byte6", u8<6>},
     {"byte7", u8<7>},
 };
-constexpr Field paramRequest[] = {{"sessid", u16<0>}, {"paramid", u8<2>}};
-constexpr Field paramSet[]
-    = {{"sessid", u16<0>}, {"paramid", u8<2>}, {"value", parameterValue<2, 3>, {}, parameterUnit<2>}};
-constexpr Field paramResponse[]
-    = {{"paramid", u8<0>}, {"value", parameterValue<0, 1>, {}, parameterUnit<0>}, {"perc", u8<5>}};
+constexpr Field paramRequest[] = {{"sessid", u16<0>}, {"paramid", u8<2>, {}, nullptr, parameterKey<2>}};
+constexpr Field paramSet[] = {{"sessid", u16<0>}, {"paramid", u8<2>, {}, nullptr, parameterKey<2>},
+    {"value", parameterValue<2, 3>, {}, parameterUnit<2>}};
+constexpr Field paramResponse[] = {{"paramid", u8<0>, {}, nullptr, parameterKey<0>},
+    {"value", parameterValue<0, 1>, {}, parameterUnit<0>}, {"perc", u8<5>}};
 constexpr Field statusGeneral[] = {
     {"dtcApplied", i16<0>, duty},
     {"fFwdLimitPin", bits<2, 0>},
@@ -163,7 +184,7 @@ constexpr Field statusGeneral[] = {
     {"fOverTempFault", bits<4, 0>},
     {"fUnderVoltageFault", bits<4, 1>},
     {"fGateDriverFault", bits<4, 2>},
-    {"modeSelect", bits<4, 3, 4>},
+    {"modeSelect", bits<4, 3, 4>, {}, nullptr, [](const CanFrame &f) { return wordOfMode(modeOfStatus(f)); }},
     {"fDivErrBy256", bits<4, 7>},
     {"errCLoop", generalError, {}, [](const CanFrame &f) { return unitOfMode(modeOfStatus(f)); }},
 };
@@ -183,7 +204,7 @@ constexpr Field statusAnalog[] = {
     {"vltgVbus", fixed8x8<6>, "V"},
 };
 constexpr Field control[] = {
-    {"modeSelect", bits<0, 0, 4>},
+    {"modeSelect", bits<0, 0, 4>, {}, nullptr, [](const CanFrame &f) { return wordOfMode(modeOfControl(f)); }},
     {"fOverrideBC", bits<0, 4>},
     {"fBrakeCoast", bits<0, 5>},
     {"pidsltSelect", bits<0, 6>},
@@ -232,8 +253,8 @@ std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view)
     const auto fields = layout->size < 0 ? layout->fields.first(frame.size) : layout->fields;
     decoded.fields.reserve(fields.size());
     for (const Field &field : fields)
-        decoded.fields.push_back(
-            {field.name, field.value(frame), field.unitIn != nullptr ? field.unitIn(frame) : field.unit});
+        decoded.fields.push_back({field.name, field.value(frame), field.unitIn ? field.unitIn(frame) : field.unit,
+            field.wordIn ? field.wordIn(frame) : std::string_view{}});
     return decoded;
 }
 
