@@ -7,9 +7,12 @@
 #include "widgets/common/applytheme.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
+#include "widgets/common/stateglyph.h"
 #include "widgets/parameters/changespanel.h"
 #include "widgets/parameters/columnwidths.h"
+#include "widgets/parameters/parameterfilter.h"
 #include "widgets/parameters/parameterview.h"
+#include "widgets/parameters/readstatus.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -30,6 +33,7 @@ using namespace mb::test;
 class TestParametersPage : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void whatNobodyCanReadIsNotDoneAndHasAShape();
     void initTestCase();
     void enterOpensTypesAndCommits();
     void aDigitStartsEditing();
@@ -286,7 +290,7 @@ void TestParametersPage::aSnapshotWhileTypingLosesNothing()
     QCOMPARE(before->text(), QStringLiteral("1.25"));
     QTest::keyClick(before, Qt::Key_Return);
     QCOMPARE(bench.edits().toWrite().front().raw, rawOf("slot1.p", 1.25));
-    QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("edited, was 7"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("edited, was 7.000"));
 }
 
 void TestParametersPage::anotherSelectionKeepsTheEdits()
@@ -300,7 +304,7 @@ void TestParametersPage::anotherSelectionKeepsTheEdits()
     QCOMPARE(bench.edits().count(), 0);
     bench.selection.select({1});
     QCOMPARE(bench.edits().count(), 1);
-    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("9"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("9.000"));
 }
 
 void TestParametersPage::aVanishedDeviceKeepsTheEdits()
@@ -418,6 +422,31 @@ void TestParametersPage::longWordsBesideTheTableTakeNoColumnFromIt()
     QCoreApplication::processEvents();
     QVERIFY2(panel->width() <= 300, qPrintable(QString::number(panel->width())));
     QVERIFY(bench.page->view().columnWidth(ParameterModel::Key) > 0);
+}
+
+void TestParametersPage::whatNobodyCanReadIsNotDoneAndHasAShape()
+{
+    DeviceView board = readDrive();
+    const auto all = families();
+    board.family = *std::find_if(all.begin(), all.end(), [](const Family *one) { return one->capabilities.axes > 1; });
+    board.parameters.edit().assign(board.family->parameters.size(), {});
+    int known = 0;
+    for (std::size_t i = 0; i < board.family->parameters.size(); ++i) {
+        if (board.family->parameters[i].access != Access::WriteOnly) {
+            board.parameters.edit()[i] = {0, ParameterState::Volatile};
+            ++known;
+        }
+    }
+    ParameterBench bench(board);
+    bench.selection.select({1}, 2);
+    bench.workbench.publish();
+    const auto *const status = bench.page->findChild<ReadStatus *>();
+    QVERIFY(status->findChild<StateGlyph *>()->state() != GlyphState::Done);
+    QCOMPARE(status->findChild<QLabel *>()->text(),
+        QStringLiteral("%1 of %2 known").arg(known).arg(board.parameters->size()));
+    const ParameterCounts counts = countParameters(bench.model(), 2);
+    QCOMPARE(counts.notKept, counts.all); // as the head of the group says: nothing is kept over a power cycle
+    QCOMPARE(glyphOf(ParameterState::Unknown), GlyphState::Gone); // a ring, as on Tune
 }
 
 MB_WINDOW_TEST(TestParametersPage);

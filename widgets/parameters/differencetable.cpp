@@ -138,7 +138,7 @@ void DifferenceTable::addRow(const Family &family, const Shown &shown)
     insertRow(row);
     const bool assumed = values.a.state == ParameterState::Assumed || values.b.state == ParameterState::Assumed;
     const GlyphState glyph = assumed ? GlyphState::Assumed : glyphOf(values.a.state);
-    const bool known = glyph != GlyphState::Waiting;
+    const bool known = glyph != GlyphState::Gone;
     const QStringList texts{tableText(parameter.label), qt(parameter.key), stateValue(parameter, values.a),
         stateValue(parameter, values.b), tableText(parameter.unit),
         assumed     ? tr("assumed: it cannot be read")

@@ -136,13 +136,12 @@ void ParameterDelegate::paintState(
     const ParameterStanding standing = m_model.standing(m_model.parameterAt(index));
     const int side = theme.u(12);
     QRect cell = option.rect.adjusted(padding(), 0, -theme.u(2), 0);
-    const bool dash = standing.glyph == GlyphState::Waiting;
-    if (!dash)
-        paintGlyph(painter, QRectF(cell.left(), cell.center().y() - side / 2.0 + 0.5, side, side), standing.glyph,
-            glyphColor(standing.glyph, theme));
+    const bool isUnknown = standing.glyph == GlyphState::Gone;
+    paintGlyph(painter, QRectF(cell.left(), cell.center().y() - side / 2.0 + 0.5, side, side), standing.glyph,
+        glyphColor(standing.glyph, theme));
     cell.setLeft(cell.left() + side + theme.u(6));
     painter.setFont(cellFont(ParameterModel::State, option.font));
-    painter.setPen(standing.unread && !standing.edited ? theme.danger : dash ? theme.faint : theme.text);
+    painter.setPen(standing.unread && !standing.edited ? theme.danger : isUnknown ? theme.faint : theme.text);
     painter.drawText(
         cell, Qt::AlignVCenter, painter.fontMetrics().elidedText(standing.text, Qt::ElideRight, cell.width()));
 }

@@ -51,11 +51,12 @@ ParameterCounts countParameters(const ParameterModel &model, std::optional<int> 
         counts.edited += standing.edited && !standing.illegal ? 1 : 0;
         counts.illegal += standing.illegal ? 1 : 0;
         counts.unread += standing.unread ? 1 : 0;
+        counts.notKept += model.parameter({i}).persistent ? 0 : 1; // as the heads of the groups say
         switch (model.edits()->entries()[i].state) {
         case ParameterState::Ram: ++counts.inRam; break;
         case ParameterState::Stored: ++counts.stored; break;
-        case ParameterState::Volatile: ++counts.notKept; break;
         case ParameterState::Assumed: ++counts.assumed; break;
+        case ParameterState::Volatile:
         case ParameterState::Unknown:
         case ParameterState::Failed: break;
         }

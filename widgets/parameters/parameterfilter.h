@@ -29,7 +29,7 @@ struct ParameterCounts {
     int unread = 0;
     int inRam = 0;
     int stored = 0;
-    int notKept = 0; ///< in force, but not over a power cycle
+    int notKept = 0; ///< what a power cycle takes
     int assumed = 0;
 };
 /// Of one axis (0: of what the board has once), or of all.

@@ -16,14 +16,14 @@ constexpr quintptr faultMark = 0x10000;
 GlyphState glyphOf(ParameterState state)
 {
     switch (state) {
-    case ParameterState::Unknown: return GlyphState::Waiting;
+    case ParameterState::Unknown: return GlyphState::Gone;
     case ParameterState::Stored: return GlyphState::Stored;
     case ParameterState::Ram: return GlyphState::InRam;
     case ParameterState::Volatile: return GlyphState::Volatile;
     case ParameterState::Assumed: return GlyphState::Assumed;
     case ParameterState::Failed: return GlyphState::Fault;
     }
-    return GlyphState::Waiting;
+    return GlyphState::Gone;
 }
 
 ParameterReference defaultsOf(const Family &family)

@@ -94,8 +94,10 @@ QString ReadStatus::outcome(
         glyph = GlyphState::Waiting;
         return tr("not read yet");
     }
-    if (known < counts.all)
+    if (known < counts.all) {
+        glyph = GlyphState::Gone;
         return tr("%1 of %2 known").arg(known).arg(counts.all);
+    }
     if (!isReading(operation) || operation->status.state != OperationStatus::State::Done)
         return tr("all %1 read").arg(counts.all);
     const double seconds
