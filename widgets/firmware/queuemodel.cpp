@@ -164,13 +164,13 @@ QVariant QueueModel::headerData(int section, Qt::Orientation orientation, int ro
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (section) {
-    case Serial: return tr("Serial number");
-    case Unit: return tr("Unit");
-    case Versions: return tr("Firmware");
-    case StepNow: return tr("Step");
-    case Share: return tr("Progress");
-    case Time: return tr("Time");
-    case Outcome: return tr("Result");
+    case Serial: return tr("serial number");
+    case Unit: return tr("unit");
+    case Versions: return tr("firmware");
+    case StepNow: return tr("step");
+    case Share: return tr("progress");
+    case Time: return tr("time");
+    case Outcome: return tr("result");
     default: return {};
     }
 }
