@@ -25,6 +25,7 @@ Operations::Operations(Clock &clock, Session &session, EngineLog &log)
     : m_clock(clock)
     , m_session(session)
     , m_log(log)
+    , m_pruning(clock)
 {
 }
 
@@ -53,7 +54,8 @@ Result<void> Operations::checkRecognised(DeviceId id) const
 
 Operations::Job &Operations::add(const Device &device, const Name &name)
 {
-    prune();
+    m_pruning.startIn(
+        Duration::zero(), [this] { prune(); }); // not now: whoever begins this may be told of a job that has ended
     return m_jobs.emplace_back(Job{OperationId{++m_last}, m_session.idOf(device), &device, {},
         std::make_unique<Operation>(m_clock, name.title, name.kind), std::nullopt, false});
 }

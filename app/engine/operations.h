@@ -90,6 +90,7 @@ private:
     Session &m_session;
     EngineLog &m_log;
     std::list<Job> m_jobs;
+    Timer m_pruning;
     std::set<const Link *> m_lent;
     std::uint32_t m_last = 0;
 };

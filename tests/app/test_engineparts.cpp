@@ -280,6 +280,27 @@ TEST_F(EngineParts, WhatBeganByItselfMakesWayForAnOrder)
     EXPECT_TRUE(ordered.front());
 }
 
+TEST_F(EngineParts, AJobIsInTheListWhileItsEndIsToldThoughManyHaveEndedBeforeIt)
+{
+    const auto setRate = [this](Device &unit, Progress &) { return unit.setRate(velocity(), 20.0); };
+    std::vector<Result<void>> others;
+    bool isKept = false;
+    operations.begin<void>(
+        id(5), say("A long one"), [](Device &unit, Progress &) { return unit.identify(); },
+        [&](const Operations::Job &done, const Result<void> &) {
+            operations.begin(id(5), say("Set telemetry rate"), setRate, into(others));
+            isKept = std::ranges::any_of(operations.jobs(), [&](const Operations::Job &job) { return &job == &done; });
+        },
+        into(others));
+    for (std::size_t ended = 1; ended <= 40; ++ended) {
+        operations.begin(id(7), say("Set telemetry rate"), setRate, into(others));
+        ASSERT_TRUE(clock.runUntil([&] { return others.size() == ended; }, 1s));
+    }
+    ASSERT_TRUE(clock.runUntil([&] { return others.size() == 41; }, 20s));
+    EXPECT_TRUE(isKept);
+    EXPECT_LE(operations.jobs().size(), 33U) << "those that ended first are forgotten";
+}
+
 TEST_F(EngineParts, ALinkThatASearchLeavesOutIsNamedWithTheReason)
 {
     std::vector<Result<void>> answers;
