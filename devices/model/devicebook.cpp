@@ -89,6 +89,7 @@ void DeviceBook::open(Entry &entry, Link &link, const Family &family, const Iden
     if (m_store)
         device.telemetry()->keepIn(*m_store);
     m_memory.recall(device);
+    device.knowledge().setKeeper([this, &device] { return m_memory.kept(device); });
     entry.changed = device.changed().add([this, &entry] {
         recognise(entry);
         m_changed.notify();

@@ -159,6 +159,15 @@ void DeviceKnowledge::unitExchanged()
     m_changed.notify();
 }
 
+Task<void> DeviceKnowledge::kept() const
+{
+    if (m_keeper) {
+        auto keeping = m_keeper();
+        co_return co_await std::move(keeping).attempt();
+    }
+    co_return {};
+}
+
 void DeviceKnowledge::setCounters(const std::map<std::string, std::int64_t> &values)
 {
     for (const auto &[key, value] : values)

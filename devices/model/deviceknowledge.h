@@ -3,12 +3,14 @@
 
 #include "async/listeners.h"
 #include "async/noncopyable.h"
+#include "async/task.h"
 #include "model/deviceprofile.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
 #include "model/shared.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,6 +74,11 @@ public:
     /// and counted of it, tells nothing of this one. What the one before owes stands: it is not proved that it is gone.
     void unitExchanged();
 
+    /// Who keeps the profile says there when it is on the disk.
+    void setKeeper(std::function<Task<void>()> keeper) { m_keeper = std::move(keeper); }
+    /// Ends when the profile as it is now is on the disk, at once where nobody keeps it; NotKept where it cannot be.
+    [[nodiscard]] Task<void> kept() const;
+
     /// Of what a scan has found, what is shown: with the dialect that was proven before or that the user chose, and what that means.
     [[nodiscard]] Identity probed(Identity identity);
     [[nodiscard]] Identity shown(Identity identity) const;
@@ -89,6 +96,7 @@ private:
     Published<DeviceProfile> m_profile;
     std::string m_probedDialect; ///< what the scan said, where the user chose another
     Message m_probedDetail;
+    std::function<Task<void>()> m_keeper;
     Listeners<> m_changed;
     Listeners<> m_applied;
     Listeners<> m_exchanged;

@@ -13,6 +13,7 @@ namespace mb {
 Session::Session(Clock &clock, std::span<const Family *const> families, MotionGuard *guard)
     : m_clock(clock)
     , m_families(families)
+    , m_memory(clock)
     , m_links(clock, families)
     , m_devices(clock, m_links, m_memory, guard)
     , m_stops(clock, m_links, m_devices, guard)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/sessionmemory.h"
 
+#include "async/event.h"
 #include "files/qttext.h"
 #include "model/family.h"
 #include "model/identity.h"
@@ -13,6 +14,9 @@
 
 namespace mb {
 namespace {
+
+constexpr Duration saveAgain = std::chrono::seconds(10);
+constexpr Duration longestSave = std::chrono::seconds(10);
 
 /// Simulated devices are factory-fresh in every process, and a recording has its own.
 bool isKept(const Link &link)
@@ -32,7 +36,7 @@ std::string keyOf(const Device &device)
 
 /// What an earlier build kept under the name of the link, where nothing is kept of the place. Taken over once: another adapter may have
 /// that name tomorrow.
-Result<DeviceProfile> kept(const ProfileBook &book, const Device &device, const std::string &key)
+Result<DeviceProfile> keptOf(const ProfileBook &book, const Device &device, const std::string &key)
 {
     if (QFile::exists(qt(book.pathOf(key))))
         return book.load(key);
@@ -64,6 +68,12 @@ Result<void> rememberIn(const ScanBook &book, const std::string &link, std::vect
 
 } // namespace
 
+SessionMemory::SessionMemory(Clock &clock)
+    : m_clock(clock)
+    , m_again(clock)
+{
+}
+
 void SessionMemory::recall(Device &device)
 {
     if (!m_profiles || !isKept(device.link()))
@@ -73,42 +83,99 @@ void SessionMemory::recall(Device &device)
         device.knowledge().setProfile(unsaved->second.profile);
         return;
     }
-    auto profile = kept(*m_profiles, device, key);
+    auto profile = keptOf(*m_profiles, device, key);
     if (!profile)
         m_profileTrouble.notify(profile.error().message());
     else if (!profile->isEmpty())
         device.knowledge().setProfile(std::move(*profile));
 }
 
+/// Until it is on the disk it is read from here.
 void SessionMemory::keep(const Device &device)
 {
     if (!m_profiles || !isKept(device.link()))
         return;
-    if (m_background)
-        keepInBackground(keyOf(device), device.knowledge().profile());
-    else if (auto kept = m_profiles->save(keyOf(device), device.knowledge().profile()); !kept)
-        m_profileTrouble.notify(kept.error().message());
+    const std::string key = keyOf(device);
+    m_unsaved[key].profile = device.knowledge().profile();
+    save(key, true);
 }
 
-/// In the order in which they were given; until it is on the disk it is read from here.
-void SessionMemory::keepInBackground(const std::string &key, const DeviceProfile &profile)
+/// In the order in which they were given.
+void SessionMemory::save(const std::string &key, bool tells)
 {
     UnsavedProfile &unsaved = m_unsaved[key];
-    unsaved.profile = profile;
     ++unsaved.writes;
     const auto kept = std::make_shared<Result<void>>();
-    m_background->run(
-        m_profiles->pathOf(key), [book = *m_profiles, key, profile, kept] { *kept = book.save(key, profile); },
-        [self = std::weak_ptr(m_self), key, kept] {
-            const auto memory = self.lock();
-            if (!memory)
-                return;
-            const auto written = (*memory)->m_unsaved.find(key);
-            if (--written->second.writes == 0)
-                (*memory)->m_unsaved.erase(written);
-            if (!*kept)
-                (*memory)->m_profileTrouble.notify(kept->error().message());
+    write(
+        m_profiles->pathOf(key),
+        [book = *m_profiles, key, profile = unsaved.profile, kept] { *kept = book.save(key, profile); },
+        [this, key, tells, kept] {
+            if (!*kept && tells)
+                m_profileTrouble.notify(kept->error().message());
+            saved(key, *kept);
         });
+}
+
+void SessionMemory::saved(const std::string &key, const Result<void> &kept)
+{
+    UnsavedProfile &unsaved = m_unsaved.at(key);
+    unsaved.kept = kept;
+    if (--unsaved.writes > 0)
+        return;
+    if (kept)
+        m_unsaved.erase(key);
+    else
+        m_again.startIn(saveAgain, [this] { saveUnsaved(); });
+    m_saved.notify();
+}
+
+/// Without a word: that it is not kept was told.
+void SessionMemory::saveUnsaved()
+{
+    for (const auto &[key, unsaved] : std::map(m_unsaved)) {
+        if (unsaved.writes == 0)
+            save(key, false);
+    }
+}
+
+Task<void> SessionMemory::kept(const Device &device)
+{
+    const std::string key = keyOf(device);
+    if (const auto unsaved = m_unsaved.find(key); unsaved != m_unsaved.end() && unsaved->second.writes == 0)
+        save(key, false);
+    Event settled;
+    const auto look = [this, &settled, key] {
+        const auto unsaved = m_unsaved.find(key);
+        if (unsaved == m_unsaved.end() || unsaved->second.writes == 0)
+            settled.set();
+    };
+    const Subscription saving = m_saved.add(look);
+    Timer late(m_clock);
+    late.startIn(longestSave, [&settled] { settled.set(); });
+    look();
+    co_await settled.wait();
+    const auto unsaved = m_unsaved.find(key);
+    if (unsaved == m_unsaved.end())
+        co_return {};
+    if (unsaved->second.writes > 0)
+        co_return fail(Fault::NotKept, say("this takes too long"));
+    Error trouble = unsaved->second.kept.error();
+    trouble.fault = Fault::NotKept;
+    co_return fail(std::move(trouble));
+}
+
+/// `done` only while this is here.
+void SessionMemory::write(const std::string &file, const std::function<void()> &work, const std::function<void()> &done)
+{
+    if (m_background) {
+        m_background->run(file, work, [self = std::weak_ptr(m_self), done] {
+            if (self.lock())
+                done();
+        });
+        return;
+    }
+    work();
+    done();
 }
 
 void SessionMemory::tellScanTrouble(const std::string &link, const Error &error)
@@ -143,18 +210,13 @@ void SessionMemory::remember(const Link &link, const std::vector<Device *> &seen
         return;
     const std::string key = link.address().text();
     const auto trouble = std::make_shared<Result<void>>();
-    const auto work
-        = [book = *m_scans, key, found, complete, trouble] { *trouble = rememberIn(book, key, found, complete); };
-    if (!m_background) {
-        work();
-        if (!*trouble)
-            tellScanTrouble(key, trouble->error());
-        return;
-    }
-    m_background->run(m_scans->pathOf(key), work, [self = std::weak_ptr(m_self), key, trouble] {
-        if (const auto memory = self.lock(); memory && !*trouble)
-            (*memory)->tellScanTrouble(key, trouble->error());
-    });
+    write(
+        m_scans->pathOf(key),
+        [book = *m_scans, key, found, complete, trouble] { *trouble = rememberIn(book, key, found, complete); },
+        [this, key, trouble] {
+            if (!*trouble)
+                tellScanTrouble(key, trouble->error());
+        });
 }
 
 } // namespace mb

@@ -7,6 +7,7 @@
 #include "model/device.h"
 #include "model/scanbook.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@ namespace mb {
 /// link. Of real links only: simulated devices are factory-fresh in every process, and a recording has its own. Thread of the session.
 class SessionMemory : NonCopyable {
 public:
+    explicit SessionMemory(Clock &clock);
+
     /// From now on what is known of devices is kept in this directory.
     void keepProfiles(std::string directory) { m_profiles.emplace(std::move(directory)); }
     /// From now on who answered in scans is kept in this directory, for families whose scans take long: the
@@ -34,8 +37,10 @@ public:
 
     /// Gives a device that was just opened the profile that was kept of it.
     void recall(Device &device);
-    /// Its profile has changed.
+    /// Its profile has changed. One that the disk refuses is kept here, and written again from time to time.
     void keep(const Device &device);
+    /// Ends when its profile is on the disk, at once where none is kept; NotKept with the cause when the disk refuses it, or takes 10 s.
+    [[nodiscard]] Task<void> kept(const Device &device);
     /// Who answered on the link before, of a family that can be asked one by one.
     [[nodiscard]] std::vector<Identity> seenOn(const Link &link, const Family &family);
     /// A scan has found these; `complete`: and nobody else is there. One that finds nobody forgets nobody: as a rule the supply is off.
@@ -44,16 +49,23 @@ public:
 private:
     struct UnsavedProfile {
         DeviceProfile profile;
-        int writes = 0; ///< under way
+        int writes = 0;    ///< under way
+        Result<void> kept; ///< of the last one that has ended
     };
-    void keepInBackground(const std::string &key, const DeviceProfile &profile);
+    void save(const std::string &key, bool tells);
+    void saved(const std::string &key, const Result<void> &kept);
+    void saveUnsaved();
+    void write(const std::string &file, const std::function<void()> &work, const std::function<void()> &done);
     void tellScanTrouble(const std::string &link, const Error &error);
 
+    Clock &m_clock;
+    Timer m_again;
     std::optional<ProfileBook> m_profiles;
     std::optional<ScanBook> m_scans;
     Background *m_background = nullptr;
     std::map<std::string, UnsavedProfile> m_unsaved; ///< by key
     std::set<std::string> m_told;                    ///< links and causes
+    Listeners<> m_saved;                             ///< a profile, or not
     Listeners<const Message &> m_profileTrouble;
     Listeners<const Message &> m_scanTrouble;
     std::shared_ptr<SessionMemory *> m_self

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The averaging of the current: a drive whose averaging was lowered may overwrite its memory until it is switched off and on.
 #include "abstractdccontrollerbench.h"
+#include "families/abstractdc/parameters.h"
 
 #include <limits>
 
@@ -140,6 +141,31 @@ TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
     powerCycle(drive, 500ms);
     EXPECT_TRUE(device->mayMove());
     EXPECT_NE(device->knowledge().profile(), kept) << "to be kept";
+}
+
+TEST_F(AbstractDcController, ALoweredAveragingIsNotSentWhereWhatItOwesCannotBeKept)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    bool isFull = true;
+    bool wasOwed = false;
+    device->knowledge().setKeeper([&]() -> Task<void> {
+        wasOwed = device->knowledge().profile().counters.at(std::string(counter::powerCycle)) == 1;
+        if (isFull)
+            co_return fail(Fault::NotKept, say("no room"));
+        co_return {};
+    });
+    EXPECT_EQ(write("current.averaging", 50).error().fault, Fault::NotKept);
+    EXPECT_TRUE(wasOwed) << "when it was to be kept";
+    EXPECT_TRUE(sentOf("0CB").empty());
+    EXPECT_TRUE(device->mayMove());
+    EXPECT_TRUE(write("current.averaging", 500)) << "which owes nothing";
+    isFull = false;
+    EXPECT_TRUE(write("current.averaging", 50));
+    EXPECT_FALSE(device->mayMove());
+    isFull = true;
+    EXPECT_EQ(write("current.averaging", 40).error().fault, Fault::NotKept);
+    EXPECT_FALSE(device->mayMove()) << "the one before still owes it";
 }
 
 TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)

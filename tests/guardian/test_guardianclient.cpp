@@ -48,7 +48,7 @@ protected:
     VirtualClock clock;
     std::array<const Family *, 1> families{&test::looseFamily};
     LinkBook links{clock, families};
-    SessionMemory memory;
+    SessionMemory memory{clock};
     DeviceBook devices{clock, links, memory, nullptr};
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
     test::LooseMotor motor{link, clock};

@@ -162,7 +162,7 @@ protected:
     FakeGuard guard;
     std::array<const Family *, 1> families{&wiredFamily};
     LinkBook book{clock, families};
-    SessionMemory memory;
+    SessionMemory memory{clock};
     DeviceBook devices{clock, book, memory, &guard};
     SessionStops stops{clock, book, devices, &guard};
     std::array<Link *, 2> links{};

@@ -59,7 +59,7 @@ protected:
     test::FakeGuard guard;
     std::array<const Family *, 1> families{&test::looseFamily};
     LinkBook links{clock, families};
-    SessionMemory memory;
+    SessionMemory memory{clock};
     DeviceBook devices{clock, links, memory, &guard};
     test::LoggedLink link{clock, {Outlet::Form::CanSocket, 7}};
     test::LoggedLink otherLink{clock, {Outlet::Form::CanSocket, 7}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of the devices of a session outlives them, each in its place. The lines are pseudo terminals.
+#include "async/scope.h"
 #include "sessionlines.h"
 #include "support/heldbackground.h"
 
@@ -181,13 +182,77 @@ TEST_F(SessionLines, AProfileThatCannotBeKeptOrReadIsToldInOneLine)
     EXPECT_EQ(told.size(), 3U);
 }
 
+TEST_F(SessionLines, AProfileThatTheDiskRefusedIsRecalledAndWrittenOnceTheDiskTakesIt)
+{
+    for (const bool inBackground : {false, true}) {
+        const QString letter = folder.filePath(inBackground ? "letter1" : "letter0");
+        QFile file(letter);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        test::HeldBackground background;
+        memory.setBackground(inBackground ? &background : nullptr);
+        memory.keepProfiles(letter.toStdString() + "/profiles");
+        motorOn(*links[0]).knowledge().setCounter("saves", 7);
+        background.release();
+        devices.forget(*links[0]);
+        EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
+        ASSERT_TRUE(QFile::remove(letter));
+        clock.advance(std::chrono::seconds(11));
+        background.release();
+        const QStringList kept = QDir(letter + "/profiles").entryList(QDir::Files);
+        EXPECT_EQ(kept.size(), 1) << inBackground;
+        devices.forget(*links[0]);
+        EXPECT_EQ(motorOn(*links[0]).knowledge().profile().counters.at("saves"), 7);
+        devices.forget(*links[0]);
+        memory.setBackground(nullptr);
+    }
+}
+
+TEST_F(SessionLines, WhoWaitsForTheDiskIsToldWhatBecameOfTheProfile)
+{
+    QFile letter(folder.filePath("letter"));
+    ASSERT_TRUE(letter.open(QIODevice::WriteOnly));
+    test::HeldBackground background;
+    memory.setBackground(&background);
+    memory.keepProfiles(folder.filePath("letter/profiles").toStdString());
+    WiredMotor &motor = motorOn(*links[0]);
+    std::vector<Result<void>> told;
+    Scope asking(clock);
+    const auto ask = [&] {
+        asking.spawn<void>(motor.knowledge().kept(), [&told](const Result<void> &kept) { told.push_back(kept); });
+        clock.advance(std::chrono::milliseconds(1));
+    };
+    const auto answer = [&] {
+        background.release();
+        clock.advance(std::chrono::milliseconds(1));
+        return told.back() ? Fault{} : told.back().error().fault;
+    };
+    ask();
+    ASSERT_EQ(told.size(), 1U) << "nothing waits to be written";
+    EXPECT_TRUE(told.back());
+    motor.knowledge().setCounter("saves", 7);
+    ask();
+    EXPECT_EQ(told.size(), 1U);
+    EXPECT_EQ(answer(), Fault::NotKept);
+    ask();
+    clock.advance(std::chrono::seconds(9));
+    EXPECT_EQ(told.size(), 2U) << "it is tried again";
+    clock.advance(std::chrono::seconds(2));
+    ASSERT_EQ(told.size(), 3U) << "a disk that hangs keeps nothing";
+    EXPECT_EQ(told.back().error().fault, Fault::NotKept);
+    ASSERT_TRUE(letter.remove());
+    ask();
+    (void)answer();
+    ASSERT_EQ(told.size(), 4U);
+    EXPECT_TRUE(told.back());
+}
+
 TEST_F(SessionLines, WhatIsWrittenAfterTheSessionHasEndedIsWrittenAndTellsNobody)
 {
     const std::string profiles = folder.path().toStdString() + "/profiles";
     test::HeldBackground background;
     WiredMotor &motor = motorOn(*links[0]);
     motor.knowledge().setCounter("saves", 7);
-    auto ending = std::make_unique<SessionMemory>();
+    auto ending = std::make_unique<SessionMemory>(clock);
     ending->keepProfiles(profiles);
     ending->setBackground(&background);
     ending->keep(motor);

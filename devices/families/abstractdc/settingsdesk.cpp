@@ -116,13 +116,30 @@ bool SettingsDesk::overrunsEver() const
     return raw && !isLegalAveraging(*raw);
 }
 
+/// On the disk before it can be in force: the next run of the program must know it.
+Task<void> SettingsDesk::owe(const Parameter &parameter, std::int64_t raw)
+{
+    const bool wasOwed = m_debt.isOwed();
+    const auto before = m_averaging;
+    m_debt.incur();
+    auto keeping = m_device.knowledge().kept();
+    Result<void> may = co_await std::move(keeping).attempt();
+    if (may)
+        may = mayWrite(parameter, raw);            // that took its time
+    if (!may && !wasOwed && m_averaging == before) // nobody else has lowered it meanwhile
+        m_debt.pay();
+    co_return may;
+}
+
 Task<std::int64_t> SettingsDesk::write(const Parameter &parameter, std::int64_t raw)
 {
     const Loop loop = loopOf(parameter);
     const auto value = static_cast<std::int32_t>(raw);
     const bool lowered = fieldOf(parameter) == Field::Averaging && mayOverrun(raw);
-    if (lowered)
-        m_debt.incur(); // before it can be in force
+    if (lowered) {
+        auto owing = owe(parameter, raw);
+        co_await std::move(owing);
+    }
     const int offset = m_device.identity().address;
     co_await m_can.send(encodeSettings(*m_logs.dialect(), offset, loop, fieldOf(parameter), value));
     const auto proved = qScopeGuard([unproven = m_unproven] { unproven->reset(); });

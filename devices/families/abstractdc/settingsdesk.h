@@ -48,6 +48,7 @@ public:
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> saves() const;
 
 private:
+    [[nodiscard]] Task<void> owe(const Parameter &parameter, std::int64_t raw);
     [[nodiscard]] bool mayOverrun(std::int64_t averaging) const;
     [[nodiscard]] std::int64_t savesOf(Loop loop) const;
     /// How often it was saved before; Unsafe where one more is too many.
