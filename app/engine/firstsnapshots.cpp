@@ -61,8 +61,7 @@ void FirstSnapshots::met(const Operations::Job &job, const Result<settings::Para
             Severity::Caution, *device, say("no snapshot of what was found: %1", taken.error().message()));
     for (const LogLine &line : job.operation->status().log)
         m_context.log.tell(line.severity, *device, line.text);
-    if (taken)
-        m_provisional.look(job.device, false);
+    m_provisional.look(job.device);
 }
 
 } // namespace mb

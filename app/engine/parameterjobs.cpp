@@ -135,9 +135,14 @@ Task<Outcomes> ParameterJobs::writeWhole(
             = keepBefore(device, restores ? settings::Occasion::Restore : settings::Occasion::Import, progress);
         co_await std::move(keeping);
     }
-    auto writing
-        = settings::writeKept(device, std::move(changes), {settings::Origin::Window, purpose}, m_settings, progress);
+    settings::Order order{settings::Origin::Window, purpose, {}, begins(device)};
+    auto writing = settings::writeKept(device, std::move(changes), std::move(order), m_settings, progress);
     co_return co_await std::move(writing).attempt();
+}
+
+settings::Begun ParameterJobs::begins(const Device &device)
+{
+    return [this, id = m_context.session.idOf(device)](std::int64_t change) { m_provisional.begins(id, change); };
 }
 
 /// What is kept of a place may be of another unit than the one that stands there now. Whoever orders it once more says that it is the same.
@@ -178,7 +183,7 @@ void ParameterJobs::write(
         [this, changes, purpose](
             Device &device, Progress &progress) { return writeWhole(device, changes, purpose, progress); },
         [this, id, finished, before](Operations::Job &, const Result<Outcomes> &outcomes) {
-            m_provisional.look(id, true);
+            m_provisional.look(id);
             finished(tellWritten(id, before, outcomes));
         },
         finished);
@@ -205,8 +210,8 @@ Result<void> ParameterJobs::tellWritten(
 Task<settings::SettingsChange> ParameterJobs::takeBack(Device &device, bool again, Progress &progress)
 {
     co_await askWhose(device);
-    auto writing = again ? settings::redo(device, settings::Origin::Window, *m_settings, progress)
-                         : settings::undo(device, settings::Origin::Window, *m_settings, progress);
+    auto writing = again ? settings::redo(device, settings::Origin::Window, *m_settings, progress, begins(device))
+                         : settings::undo(device, settings::Origin::Window, *m_settings, progress, begins(device));
     co_return co_await std::move(writing).attempt();
 }
 
@@ -220,7 +225,7 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
         order.device, order.again ? say("Do a write again") : say("Undo a write"),
         [this, again = order.again](Device &device, Progress &progress) { return takeBack(device, again, progress); },
         [this, again = order.again, finished](Operations::Job &job, const Result<settings::SettingsChange> &change) {
-            m_provisional.look(job.device, true);
+            m_provisional.look(job.device);
             if (const Device *device = m_context.session.find(job.device); device && change)
                 m_context.log.tell(Severity::Good, *device,
                     again ? say("written again: %1", settings::textOf(device->family(), *change))

@@ -47,6 +47,7 @@ private:
         Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress);
     [[nodiscard]] Task<settings::SettingsChange> takeBack(Device &device, bool again, Progress &progress);
     [[nodiscard]] Task<void> askWhose(Device &device);
+    [[nodiscard]] settings::Begun begins(const Device &device);
     [[nodiscard]] Result<void> tellWritten(DeviceId device, const std::vector<ParameterStore::Entry> &before,
         const Result<std::vector<TransferOutcome>> &outcomes) const;
 

@@ -6,6 +6,7 @@
 #include "settings/history.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -14,6 +15,7 @@ using settings::Confirmation;
 using settings::SettingsChange;
 
 constexpr Duration lookEvery = std::chrono::milliseconds(100);
+constexpr Duration askAgain = std::chrono::seconds(5);
 
 UnconfirmedView::State stateOf(const std::optional<Confirmation> &confirmation)
 {
@@ -42,6 +44,7 @@ bool actsLater(const Family &family, const SettingsChange &change)
 ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
     : m_context(context)
     , m_timer(context.clock)
+    , m_again(context.clock)
     , m_asking(context.clock)
 {
 }
@@ -64,21 +67,30 @@ ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t ch
     return found == m_entries.end() ? nullptr : &*found;
 }
 
-void ProvisionalChanges::look(DeviceId id, bool counting)
+void ProvisionalChanges::look(DeviceId id)
 {
     const Device *device = m_context.session.find(id);
     if (!device || !m_log)
         return;
-    m_asking.spawn<std::vector<SettingsChange>>(settings::findUnconfirmed(*device, *m_log),
-        [this, id, counting](const Result<std::vector<SettingsChange>> &open) {
-            if (open)
-                take(id, *open, counting);
+    m_asking.spawn<std::vector<SettingsChange>>(
+        m_log->changesOf(unitKeyOf(*device)), [this, id](const Result<std::vector<SettingsChange>> &changes) {
+            if (changes)
+                return take(id, *changes);
+            m_unanswered.insert(id);
+            m_again.startIn(askAgain, [this] { lookAgain(); });
         });
 }
 
-void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &open, bool counting)
+void ProvisionalChanges::lookAgain()
 {
-    Device *device = m_context.session.find(id);
+    for (const DeviceId id : std::exchange(m_unanswered, {}))
+        look(id);
+}
+
+void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &changes)
+{
+    Device *const device = m_context.session.find(id);
+    const auto open = device ? settings::unconfirmedOf(*device, changes) : std::vector<SettingsChange>();
     std::erase_if(m_entries, [&](const Entry &entry) {
         return !m_context.session.find(entry.device)
             || (entry.device == id && std::ranges::none_of(open, [&entry](const SettingsChange &change) {
@@ -86,18 +98,24 @@ void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &op
                }));
     });
     for (const SettingsChange &change : open) {
-        if (!device)
-            continue;
         if (Entry *known = find(id, change.number)) {
             known->change = change; // what was written over is no more of it
             continue;
         }
         m_entries.push_back({id, change, std::nullopt});
-        const bool isNew = counting && &change == &open.back();
-        if (isNew || actsLater(device->family(), change))
+        if (isNew(id, change.number) || actsLater(device->family(), change))
             m_entries.back().confirmation.emplace(change.values);
     }
     tick();
+}
+
+bool ProvisionalChanges::isNew(DeviceId id, std::int64_t change)
+{
+    const auto begun = m_begun.find(id);
+    if (begun == m_begun.end() || begun->second != change)
+        return false;
+    m_begun.erase(begun);
+    return true;
 }
 
 /// A device that a job has, or of which nobody knows which unit it is, is looked at again: what is due goes back by itself.
@@ -167,7 +185,7 @@ void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Fini
                     Severity::Danger, id, say("the values are not put back: %1", written.error().message()));
             else if (*written)
                 m_context.log.tell(Severity::Good, id, say("the values are put back"));
-            look(id, false);
+            look(id);
             finished(written ? Result<void>() : fail(written.error()));
         },
         finished);

@@ -8,7 +8,9 @@
 #include "widgets/orders/settingsorders.h"
 
 #include <list>
+#include <map>
 #include <memory>
+#include <set>
 
 namespace mb {
 
@@ -20,8 +22,10 @@ public:
 
     /// Without a log nothing is provisional. It outlives this.
     void setLog(settings::SettingsLog *log) { m_log = log; }
-    /// What the history has now of a device: after a write (`counting`: what is new goes back by itself), and when it is met.
-    void look(DeviceId id, bool counting);
+    /// A write begins, which is this change: if it is provisional, it goes back by itself. Those that were there are offered.
+    void begins(DeviceId id, std::int64_t change) { m_begun[id] = change; }
+    /// What the history has now of a device: after a write, and when it is met. Again after a while where it does not answer.
+    void look(DeviceId id);
     /// Somebody keeps a change. OutOfRange when it is none of these.
     void carryOut(const orders::KeepChange &order, const Finished &finished);
     /// It goes back now. Unsafe while the motor is not seen to stand; then it is still there.
@@ -36,7 +40,9 @@ private:
         std::unique_ptr<HeardSince> heard{};                ///< since its time began
         [[nodiscard]] bool isCutOff(Device &unit);
     };
-    void take(DeviceId id, const std::vector<settings::SettingsChange> &open, bool counting);
+    void take(DeviceId id, const std::vector<settings::SettingsChange> &changes);
+    [[nodiscard]] bool isNew(DeviceId id, std::int64_t change);
+    void lookAgain();
     void tick();
     [[nodiscard]] bool mayPutBack(DeviceId device) const;
     [[nodiscard]] Entry *find(DeviceId id, std::int64_t change);
@@ -44,7 +50,10 @@ private:
     EngineContext m_context;
     settings::SettingsLog *m_log = nullptr;
     std::list<Entry> m_entries;
+    std::map<DeviceId, std::int64_t> m_begun; ///< by the last write, until it was found in the history
+    std::set<DeviceId> m_unanswered;          ///< the history could not be asked
     Timer m_timer;
+    Timer m_again;
     Scope m_asking; ///< last: what it asks uses everything above
 };
 

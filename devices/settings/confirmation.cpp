@@ -82,14 +82,19 @@ std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const Se
     return open;
 }
 
-Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log)
+std::vector<SettingsChange> unconfirmedOf(const Device &device, std::span<const SettingsChange> changes)
 {
-    const std::vector<SettingsChange> changes = co_await log.changesOf(unitKeyOf(device));
     std::vector<SettingsChange> open = unconfirmed(device.family(), changes);
     for (SettingsChange &change : open)
         std::erase_if(change.values, [&device](const ValueChange &value) { return !mayHave(device, value); });
     std::erase_if(open, [](const SettingsChange &change) { return change.values.empty(); });
-    co_return open;
+    return open;
+}
+
+Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log)
+{
+    const std::vector<SettingsChange> changes = co_await log.changesOf(unitKeyOf(device));
+    co_return unconfirmedOf(device, changes);
 }
 
 Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &log)

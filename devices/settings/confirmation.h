@@ -19,8 +19,10 @@ inline constexpr Duration confirmTime = std::chrono::seconds(30);
 /// `changes`: all of the unit, oldest first.
 [[nodiscard]] std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes);
 
-/// The same, asked for, and only what the device is not known to have otherwise by now: after a write, and of a unit that
-/// was just met, what a program that is gone or a lost link has left.
+/// The same, and only what the device is not known to have otherwise by now: after a write, and of a unit that was just met, what a
+/// program that is gone or a lost link has left.
+[[nodiscard]] std::vector<SettingsChange> unconfirmedOf(const Device &device, std::span<const SettingsChange> changes);
+/// The same, asked for. The device outlives it.
 [[nodiscard]] Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log);
 
 /// Somebody keeps a provisional change.

@@ -181,6 +181,8 @@ Task<std::vector<TransferOutcome>> writeKept(
     if (isOrdered && asks && !toConfirm(device.family(), change.values).empty())
         change.purpose = Purpose::Provisional;
     const std::optional<std::int64_t> number = co_await beginKept(device.family(), log, change, progress);
+    if (number && order.begun)
+        order.begun(*number);
     std::vector<TransferOutcome> outcomes = co_await writeParameters(device, std::move(changes), progress);
     co_await completeKept(log, number, judged(device, change.values, outcomes), progress);
     co_return outcomes;
@@ -259,26 +261,28 @@ Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *
     co_return {};
 }
 
-Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
+Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress, Begun begun)
 {
     const HistoryView history = co_await historyOf(device, log);
     if (!history.undo)
         co_return fail(Fault::Refused, say("the history of %1 has nothing to undo", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
         [](const ValueChange &value) { return value.before; });
-    auto writing = writeAll(device, std::move(writes), {origin, Purpose::Undo, history.undo->number}, log, progress);
+    Order order{origin, Purpose::Undo, history.undo->number, std::move(begun)};
+    auto writing = writeAll(device, std::move(writes), std::move(order), log, progress);
     co_await std::move(writing);
     co_return *history.undo;
 }
 
-Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
+Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress, Begun begun)
 {
     const HistoryView history = co_await historyOf(device, log);
     if (!history.redo)
         co_return fail(Fault::Refused, say("the history of %1 has nothing to do again", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.redo),
         [](const ValueChange &value) { return std::optional(value.after); });
-    auto writing = writeAll(device, std::move(writes), {origin, Purpose::Redo, history.redo->number}, log, progress);
+    Order order{origin, Purpose::Redo, history.redo->number, std::move(begun)};
+    auto writing = writeAll(device, std::move(writes), std::move(order), log, progress);
     co_await std::move(writing);
     co_return *history.redo;
 }

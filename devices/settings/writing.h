@@ -4,12 +4,18 @@
 #include "model/parametertransfer.h"
 #include "settings/settingslog.h"
 
+#include <functional>
+
 namespace mb::settings {
+
+/// Told the number of a change when it is in the history, before the first value is written.
+using Begun = std::function<void(std::int64_t)>;
 
 struct Order {
     Origin origin = Origin::Window;
     Purpose purpose = Purpose::Write;
     std::optional<std::int64_t> of{}; ///< SettingsChange::of
+    Begun begun{};
 };
 
 /// writeParameters() that is in the history: what is there is read first where it can be, the change is on the disk before the
@@ -38,9 +44,11 @@ using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
 /// Writes what was there before the last change that can be undone, and reads it back: a change of its own. Refused where there
 /// is none; BadCheck, or the cause, where a value did not come back: then the change can still be undone.
 /// Yields the change that it undid.
-[[nodiscard]] Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress);
+[[nodiscard]] Task<SettingsChange> undo(
+    Device &device, Origin origin, SettingsLog &log, Progress &progress, Begun begun = {});
 /// Writes again what the last undo took back.
-[[nodiscard]] Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress);
+[[nodiscard]] Task<SettingsChange> redo(
+    Device &device, Origin origin, SettingsLog &log, Progress &progress, Begun begun = {});
 
 /// What is known of the device by now, against the history: parameters that are not what they were left as go into it as
 /// changed elsewhere. Yields how many; none of a unit that only its place tells. Nothing is asked of the device.

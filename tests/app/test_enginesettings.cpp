@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Snapshots, the history and undo as the engine's half does them. Virtual time.
-#include "app/engine/enginecore.h"
-#include "async/virtualclock.h"
-#include "heard.h"
-#include "model/registry.h"
-#include "model/unit.h"
+#include "settingscore.h"
+
 #include "settings/writing.h"
-#include "storage/settingsbook.h"
-#include "support/coreapplication.h"
-
-#include <gtest/gtest.h>
-
-#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -20,74 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using settings::Occasion;
-using settings::ParameterSnapshot;
 using settings::Purpose;
-
-class SettingsCore : public testing::Test {
-protected:
-    SettingsCore()
-    {
-        test::needCoreApplication();
-        auto opened = Database::open(folder.path().toStdString() + "/motorbench.db");
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
-        database = std::move(*opened);
-        book = std::make_unique<SettingsBook>(*database, clock, "anna");
-        noticed = core.noticed().add(
-            [this](Severity, const std::string &, const Message &text) { notices.push_back(text.english()); });
-        core.setSettingsLog(book.get());
-        core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-        EXPECT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
-    }
-    [[nodiscard]] Device *device(int address)
-    {
-        for (Device *one : core.session().devices()) {
-            if (one->identity().address == address && one->family().key == "dmc60c")
-                return one;
-        }
-        return nullptr;
-    }
-    [[nodiscard]] DeviceId id(int address = 7) { return core.session().idOf(*device(address)); }
-    [[nodiscard]] std::vector<ParameterSnapshot> snapshots(int address = 7)
-    {
-        return book->snapshots(unitKeyOf(*device(address))).value_or(std::vector<ParameterSnapshot>{});
-    }
-    [[nodiscard]] std::vector<settings::SettingsChange> changes()
-    {
-        return book->changes(unitKeyOf(*device(7))).value_or(std::vector<settings::SettingsChange>{});
-    }
-    [[nodiscard]] ParameterChange change(std::string_view key, std::int64_t raw)
-    {
-        return {*findParameter(device(7)->family().parameters, key), raw};
-    }
-    [[nodiscard]] std::optional<std::int64_t> known(std::string_view key)
-    {
-        return device(7)->parameters().entry(change(key, 0).index).raw;
-    }
-    [[nodiscard]] Finished heard()
-    {
-        answered.reset();
-        return answered.finished();
-    }
-    Result<void> ends()
-    {
-        EXPECT_TRUE(clock.runUntil([this] { return answered.has_value(); }, 60s));
-        return answered.value_or(fail(Fault::Timeout));
-    }
-    Result<void> write(std::vector<ParameterChange> writes)
-    {
-        core.send(orders::WriteParameters{id(), std::move(writes)}, heard());
-        return ends();
-    }
-
-    QTemporaryDir folder;
-    VirtualClock clock;
-    std::unique_ptr<Database> database;
-    std::unique_ptr<SettingsBook> book;
-    EngineCore core{clock, families(), false};
-    Subscription noticed;
-    std::vector<std::string> notices;
-    test::Heard<> answered;
-};
+using test::SettingsCore;
 
 TEST_F(SettingsCore, EachUnitIsKeptAsItWasFoundOnceARun)
 {
@@ -386,49 +311,6 @@ TEST_F(SettingsCore, ATighterLimitIsNobodysQuestion)
     clock.advance(1s);
     EXPECT_TRUE(core.snapshot().unconfirmed.empty());
     EXPECT_EQ(changes().back().purpose, Purpose::Write);
-}
-
-TEST_F(SettingsCore, WhatAProgramThatIsGoneHasLeftIsOfferedAndNothingGoesByItself)
-{
-    clock.advance(3s);
-    const std::int64_t old = known("current_limit.peak").value_or(0);
-    settings::SettingsChange left;
-    left.unit = unitKeyOf(*device(7));
-    left.device = device(7)->selector();
-    left.purpose = Purpose::Provisional;
-    left.values = {{"current_limit.peak", old / 2, old, settings::Proof::Equal}};
-    auto beginning = book->begin(left);
-    beginning.start();
-    ASSERT_TRUE(clock.runUntil([&beginning] { return beginning.isFinished(); }, 1s));
-    core.provisional().look(id(), false);
-    clock.advance(60s);
-    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
-    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
-    EXPECT_EQ(known("current_limit.peak"), old);
-    core.send(orders::PutBackChange{id(), core.snapshot().unconfirmed.front().change}, heard());
-    ASSERT_TRUE(ends());
-    clock.advance(1s);
-    EXPECT_EQ(known("current_limit.peak"), old / 2);
-    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
-}
-
-TEST_F(SettingsCore, AWiderLimitIsOfferedAfterALostLinkAndDoesNotGoByItself)
-{
-    core.send(orders::CloseLink{"sim:can"});
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:can?fault=busoff@15")});
-    ASSERT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
-    clock.advance(3s);
-    const std::int64_t old = known("current_limit.peak").value_or(0);
-    ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
-    clock.advance(1s);
-    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
-    const auto state = [this] { return core.session().links().front()->state(); };
-    ASSERT_TRUE(clock.runUntil([&] { return state() == LinkState::Lost; }, 20s));
-    ASSERT_TRUE(clock.runUntil([&] { return state() == LinkState::Open; }, 20s));
-    clock.advance(60s);
-    EXPECT_EQ(known("current_limit.peak"), old * 2);
-    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
-    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
 }
 
 TEST_F(SettingsCore, ASnapshotIsTakenUnderItsName)
