@@ -59,6 +59,10 @@ Result<void> DeviceGuard::call()
     m_lapsed = false;
     m_renewedAt = m_device.clock().now();
     m_watchChanged = m_watch->changed().add([this] { m_changed.notify(); });
+    m_linkChanged = m_device.link().stateChanged().add([this](LinkState state) {
+        if (state != LinkState::Open)
+            drop(); // the guardian does what it can, and knows no other opening than this one
+    });
     renew();
     return {};
 }
@@ -110,8 +114,6 @@ void DeviceGuard::look()
 {
     if (m_device.isSeenStopped())
         release();
-    else if (m_device.link().state() != LinkState::Open)
-        drop(); // the guardian does what it can
     else
         m_look.startIn(lookEvery, [this] { look(); });
 }
@@ -133,6 +135,7 @@ void DeviceGuard::drop()
     m_look.stop();
     m_renewal.stop();
     m_watchChanged.reset();
+    m_linkChanged.reset();
     m_watch.reset();
 }
 

@@ -54,6 +54,7 @@ private:
     MotionGuard *m_source = nullptr;
     std::unique_ptr<GuardWatch> m_watch;
     Subscription m_watchChanged;
+    Subscription m_linkChanged;
     Instant m_renewedAt{};
     bool m_lapsed = false;
     Timer m_renewal;

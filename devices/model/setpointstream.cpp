@@ -62,7 +62,10 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, con
     m_setPoints.clear();
     m_glides.clear();
     remember(glided(setPoint, glide));
-    MB_TRY_VOID(sendOrWait());
+    if (auto sent = sendOrWait(); !sent) {
+        m_device.guard().dismiss();
+        return sent;
+    }
     m_running = true;
     m_lease.hold(lease);
     watch();
@@ -217,9 +220,9 @@ void SetPointStream::renew()
 void SetPointStream::stop()
 {
     if (m_running)
-        finish(End::Stopped, say("stopped"));
-    else
-        m_device.stop();
+        return finish(End::Stopped, say("stopped"));
+    m_device.stop();
+    m_device.guard().dismiss();
 }
 
 /// Whoever was held up does not know what the motor did meanwhile: its device may have stopped it, and the next frame would

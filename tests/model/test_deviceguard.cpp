@@ -315,6 +315,46 @@ TEST_F(Guarded, ALostLinkLeavesTheMotorToTheGuardian)
     EXPECT_FALSE(guard.isWatching());
 }
 
+TEST_F(Guarded, AGuardianGoesAlsoWhereTheNextMotionWasRefusedWhileItsStopWasLookedFor)
+{
+    for (const bool isStoppedAgain : {false, true}) {
+        guard.released = 0;
+        motor.seenStopped = false;
+        drive();
+        stream.stop();
+        motor.refuses = true;
+        EXPECT_FALSE(stream.start(duty(), 10s));
+        motor.refuses = false;
+        if (isStoppedAgain)
+            stream.stop();
+        EXPECT_TRUE(guard.isWatching()) << "the motor may turn";
+        motor.seenStopped = true;
+        clock.advance(20ms);
+        EXPECT_FALSE(guard.isWatching());
+        EXPECT_EQ(guard.released, 1);
+    }
+}
+
+TEST_F(Guarded, AStopOfAMotorThatNobodyDrivesAnyMoreDismissesItsGuardian)
+{
+    ASSERT_TRUE(motor.guard().call());
+    stream.stop();
+    motor.seenStopped = true;
+    clock.advance(20ms);
+    EXPECT_FALSE(guard.isWatching());
+}
+
+TEST_F(Guarded, AGuardianOfAFormerOpeningServesNoMotion)
+{
+    ASSERT_TRUE(motor.guard().call());
+    link.lose({Fault::LinkLost, say("it came out")});
+    EXPECT_FALSE(guard.isWatching());
+    EXPECT_EQ(guard.abandoned, 1);
+    ASSERT_TRUE(link.open());
+    drive();
+    EXPECT_EQ(guard.calls, 2);
+}
+
 TEST(GuardedEnd, AStreamThatEndsWithItsProgramLeavesAnUnconfirmedStopToTheGuardian)
 {
     for (const bool seen : {false, true}) {

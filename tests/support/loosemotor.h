@@ -60,12 +60,15 @@ public:
     }
 
     bool seenStopped = false;
+    bool refuses = false; ///< to be driven
     StopScript script{{{extendedFrame(0x100, {0}), {}, {}, {}, std::chrono::milliseconds(5), 2}}};
 
 private:
     /// It counts as moving at once, which its listeners hear from inside the command.
     Result<void> doCommand(const SetPoint &) override
     {
+        if (refuses)
+            return fail(Fault::Refused, say("not now"));
         tellMoving(true);
         return m_link.send(extendedFrame(0x100, {1}));
     }
