@@ -92,9 +92,12 @@ Result<void> Links::mayClose(const Link &link) const
 {
     if (m_context.operations.isLent(link))
         return fail(Fault::Unsafe, say("units are served here; the link stays open"), say("end that first"));
-    if (m_context.operations.isUpdatedOn(link))
+    if (m_context.operations.runsOn(link, OperationKind::UpdateFirmware))
         return fail(Fault::Unsafe, say("firmware is written to a unit here; the link stays open"),
             say("wait until it is done, or cancel it"));
+    if (link.state() == LinkState::Open
+        && m_context.operations.runsOn(link, OperationKind::Trial)) // it puts back what it changed
+        return fail(Fault::Unsafe, say("an experiment on it has not ended"), say("wait until it has, or stop it"));
     return {};
 }
 

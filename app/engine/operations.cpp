@@ -123,12 +123,12 @@ bool Operations::hasOn(const Link &link) const
         devices, [&](const Device *device) { return &device->link() == &link && has(m_session.idOf(*device)); });
 }
 
-bool Operations::isUpdatedOn(const Link &link) const
+bool Operations::runsOn(const Link &link, OperationKind kind) const
 {
     const auto devices = m_session.devices();
     return std::ranges::any_of(m_jobs, [&](const Job &job) {
         const auto unit = std::ranges::find(devices, job.unit);
-        return isRunning(job) && job.operation->status().kind == OperationKind::UpdateFirmware && unit != devices.end()
+        return isRunning(job) && job.operation->status().kind == kind && unit != devices.end()
             && &(*unit)->link() == &link;
     });
 }

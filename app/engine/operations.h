@@ -62,8 +62,8 @@ public:
     /// may stand there now.
     [[nodiscard]] Result<void> checkRecognised(DeviceId device) const;
     [[nodiscard]] bool hasOn(const Link &link) const;
-    /// Firmware is written to a unit there.
-    [[nodiscard]] bool isUpdatedOn(const Link &link) const;
+    /// With a unit there.
+    [[nodiscard]] bool runsOn(const Link &link, OperationKind kind) const;
     [[nodiscard]] bool isAnyRunning() const;
     /// Newest last; a part of those that have ended is kept.
     [[nodiscard]] const std::list<Job> &jobs() const { return m_jobs; }

@@ -55,7 +55,7 @@ Result<Link *> Scans::freeLink(const std::string &address) const
 /// A question would reach a unit between two pages of its firmware.
 bool Scans::isTaken(const Link &link) const
 {
-    return m_context.operations.isUpdatedOn(link) || m_context.operations.isLent(link);
+    return m_context.operations.runsOn(link, OperationKind::UpdateFirmware) || m_context.operations.isLent(link);
 }
 
 void Scans::scan(Link &link, ScanExtent extent)

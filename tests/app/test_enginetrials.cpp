@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
-#include "app/engine/enginecore.h"
+// Experiments as the engine's half runs them: kept, stopped at any phase. Virtual time.
+#include "trialcore.h"
+
 #include "async/noncopyable.h"
-#include "async/virtualclock.h"
-#include "heard.h"
-#include "model/registry.h"
-#include "model/unit.h"
 #include "storage/settingsbook.h"
 #include "support/coreapplication.h"
-#include "support/fakejournal.h"
 #include "tuning/frequencyresponse.h"
-
-#include <gtest/gtest.h>
 
 #include <QTemporaryDir>
 
@@ -43,79 +37,7 @@ struct KeptHistory : NonCopyable {
     SettingsBook book;
 };
 
-class TrialCore : public testing::Test {
-protected:
-    TrialCore()
-        : renewal(clock)
-    {
-        core.setJournal(&journal);
-        core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-        EXPECT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
-        clock.advance(2s);
-        renew();
-    }
-    [[nodiscard]] Device *device()
-    {
-        for (Device *one : core.session().devices()) {
-            if (one->identity().address == 7 && one->family().key == "dmc60c")
-                return one;
-        }
-        return nullptr;
-    }
-    [[nodiscard]] DeviceId id() { return core.session().idOf(*device()); }
-    [[nodiscard]] ParameterIndex p() { return *findParameter(device()->family().parameters, "slot0.p"); }
-    [[nodiscard]] std::int64_t stored()
-    {
-        std::optional<std::int64_t> raw;
-        core.send(orders::ReadParameters{id()});
-        EXPECT_TRUE(clock.runUntil([this] { return !isBusy(); }, 10s));
-        raw = device()->parameters().entry(p()).raw;
-        return raw.value_or(-1);
-    }
-    [[nodiscard]] bool isBusy()
-    {
-        const Snapshot shot = core.snapshot();
-        const OperationView *operation = shot.operation(id());
-        return operation && operation->status.state == OperationStatus::State::Running;
-    }
-    [[nodiscard]] bool isOutputOn()
-    {
-        for (Simulator *unit : core.session().bench(*core.session().links().front())->simulators()) {
-            if (unit->isOutputOn())
-                return true;
-        }
-        return false;
-    }
-    void renew()
-    {
-        core.send(orders::RenewMotion{id()});
-        renewal.startIn(100ms, [this] { renew(); });
-    }
-    void start(Keep keep)
-    {
-        tuning::ExperimentPlan plan;
-        plan.mode = Mode::Velocity;
-        plan.to = 60'000.0;
-        plan.gains = {{p(), 30'000}};
-        plan.keep = keep;
-        measured.clear();
-        ended.reset();
-        core.send(orders::RunTrial{id(), plan,
-                      [this](const tuning::Trial &trial) { measured.emplace_back(clock.now(), trial); }},
-            ended.finished());
-    }
-    [[nodiscard]] bool ends()
-    {
-        return clock.runUntil([this] { return ended.has_value(); }, 60s);
-    }
-
-    VirtualClock clock;
-    test::FakeJournal journal;
-    EngineCore core{clock, families(), false};
-    Timer renewal;
-    std::vector<std::pair<Instant, tuning::Trial>> measured;
-    test::Heard<tuning::Trial> ended;
-};
+using test::TrialCore;
 
 TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
 {
@@ -358,68 +280,28 @@ TEST_F(TrialCore, AWindowThatHangsEndsItByItsLease)
     EXPECT_FALSE(isOutputOn());
 }
 
-TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
+TEST_F(TrialCore, ALinkStaysOpenUntilATrialOnItHasPutBackWhatItChanged)
 {
     const std::int64_t before = stored();
-    journal.debtor = unitKeyOf(*device());
-    test::Heard<> written;
-    core.send(orders::WriteParameters{id(), {{p(), 30'000}}}, written.finished());
-    ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
-    journal.owed = {{"slot0.p", before}};
-    core.send(orders::CloseLink{"sim:can"});
-    EXPECT_TRUE(core.owedGains().empty());
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-    ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
-    clock.advance(3s);
-    // A bench that is opened anew is as from the factory: it has what it is owed, and nobody is asked.
-    EXPECT_TRUE(core.owedGains().empty());
-    EXPECT_TRUE(journal.owed.empty());
-
-    journal.owed = {{"slot0.p", before + 1000}};
-    core.send(orders::CloseLink{"sim:can"});
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-    ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
-    EXPECT_EQ(stored(), before) << "nothing is written unasked";
-    SetPoint byHand;
-    byHand.mode = Mode::Duty;
-    core.send(orders::StartMotion{id(), byHand, 500ms});
-    test::Heard<> refused;
-    core.send(orders::PayGains{id(), core.owedGains().at(id()).front().trial}, refused.finished());
-    clock.advance(1s);
-    EXPECT_TRUE(refused && !*refused);
-    EXPECT_TRUE(core.session().stream(*device()).isRunning()) << "who drives it is not disturbed";
-    core.send(orders::StopMotion{id()});
-    clock.advance(1s);
-    test::Heard<> paid;
-    core.send(orders::PayGains{id(), core.owedGains().at(id()).front().trial}, paid.finished());
-    ASSERT_TRUE(clock.runUntil([&paid] { return paid.has_value(); }, 20s));
-    ASSERT_TRUE(*paid) << paid->error().detail;
-    EXPECT_EQ(stored(), before + 1000);
-    EXPECT_TRUE(core.owedGains().empty());
-    EXPECT_TRUE(journal.owed.empty());
+    start(Keep::Never);
+    ASSERT_TRUE(clock.runUntil([this] { return isOutputOn(); }, 20s));
+    test::Heard<> closed;
+    core.send(orders::CloseLink{"sim:can"}, closed.finished());
+    ASSERT_TRUE(closed && !*closed);
+    EXPECT_EQ(closed->error().fault, Fault::Unsafe);
+    EXPECT_TRUE(isOutputOn());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(ended->value().reason, tuning::EndReason::Done);
+    EXPECT_EQ(stored(), before);
+    core.send(orders::CloseLink{"sim:can"}, closed.finished());
+    EXPECT_TRUE(*closed);
 }
 
-TEST_F(TrialCore, GainsThatALivingProgramTriesAreAskedAfterWithoutAnOperation)
-{
-    journal.debtor = unitKeyOf(*device());
-    journal.owed = {{"slot0.p", stored() + 1000}};
-    journal.isUnderWay = true;
-    core.send(orders::CloseLink{"sim:can"});
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-    ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
-    clock.advance(3s);
-    const std::size_t operations = core.snapshot().operations.size();
-    clock.advance(20s);
-    EXPECT_EQ(core.snapshot().operations.size(), operations);
-    EXPECT_TRUE(core.owedGains().empty());
-    journal.isUnderWay = false;
-    EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().count(id()) == 1; }, 20s)) << "that program has ended";
-}
-
-TEST_F(TrialCore, ATrialWhoseLinkIsClosedIsNobodysAnyMore)
+TEST_F(TrialCore, ATrialWhoseLinkWasLostAndIsClosedIsNobodysAnyMore)
 {
     start(Keep::Never);
     ASSERT_TRUE(clock.runUntil([this] { return isOutputOn(); }, 20s));
+    core.session().links().front()->close();
     core.send(orders::CloseLink{"sim:can"});
     EXPECT_EQ(std::count(journal.log.begin(), journal.log.end(), "abandon"), 1);
     EXPECT_EQ(std::count(journal.log.begin(), journal.log.end(), "complete"), 0);
@@ -462,21 +344,6 @@ TEST_F(TrialCore, ATuningThatNoNotebookCouldPutBackIsRefusedBeforeTheMotorTurns)
     EXPECT_FALSE(isOutputOn());
     ASSERT_TRUE(tuned && !*tuned);
     EXPECT_EQ(tuned->error().fault, Fault::NotKept) << tuned->error().text();
-}
-
-TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
-{
-    journal.debtor = unitKeyOf(*device());
-    journal.owed = {{"slot0.p", stored() + 1000}};
-    core.send(orders::CloseLink{"sim:can"});
-    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
-    ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
-    start(Keep::WhenDone);
-    ASSERT_TRUE(ends());
-    ASSERT_TRUE(*ended);
-    ASSERT_EQ((**ended).reason, tuning::EndReason::Done) << (**ended).detail;
-    EXPECT_TRUE(journal.owed.empty());
-    EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().empty(); }, 5s));
 }
 
 } // namespace
