@@ -229,7 +229,7 @@ void Links::dropVanished()
         const auto devices = m_context.session.devices();
         const bool used
             = std::ranges::any_of(devices, [link](const Device *device) { return &device->link() == link; });
-        if (!listed && !used)
+        if (!listed && !used && !link->isOpening() && mayClose(*link))
             remove(*link);
     }
 }

@@ -2,6 +2,7 @@
 // The engine thread's half of the window while interfaces come and go. Runs where vcan0 and vcan1 are up
 // (tests/socketcan/run).
 #include "app/engine/enginecore.h"
+#include "app/engine/links.h"
 #include "model/registry.h"
 #include "support/eventloop.h"
 #include "transport/linkwatch.h"
@@ -81,6 +82,30 @@ TEST_F(CanEngine, AnInterfaceThatIsPluggedInIsOpenedAndOneThatIsUnpluggedGoes)
               << " ms after it came\n";
     shell("ip link del vcan9");
     EXPECT_TRUE(loop.runUntil([this] { return !link("socketcan:vcan9"); }, 5s)) << "nobody was found on it";
+}
+
+TEST_F(CanEngine, AnInterfaceThatIsUnpluggedWhileUnitsAreServedThereGoesOnceThatHasEnded)
+{
+    Session session{loop.clock(), families()};
+    EngineLog log{session};
+    Operations operations{loop.clock(), session, log};
+    const EngineContext context{loop.clock(), session, log, operations};
+    Motion motion{context, nullptr};
+    Recordings recordings{context, motion};
+    Scans scans{context, recordings};
+    Links links{context, motion, recordings, scans, true};
+    const auto vcan9 = [&session] { return session.linkBook().find(*LinkAddress::parse("socketcan:vcan9")); };
+    shell("ip link add vcan9 type vcan && ip link set vcan9 up");
+    links.takeListings(listLinks());
+    ASSERT_TRUE(loop.runUntil([&] { return vcan9() && !operations.hasOn(*vcan9()); }, 5s));
+    ASSERT_TRUE(operations.lend(*vcan9()));
+    shell("ip link del vcan9");
+    ASSERT_TRUE(loop.runUntil([&] { return !vcan9() || vcan9()->state() == LinkState::Lost; }, 5s));
+    links.takeListings(listLinks());
+    ASSERT_TRUE(vcan9());
+    operations.takeBack(*vcan9());
+    links.takeListings(listLinks());
+    EXPECT_FALSE(vcan9());
 }
 
 TEST_F(CanEngine, ALinkThatIsSwitchedOffStaysWithCauseAndRemedyAndReturns)
