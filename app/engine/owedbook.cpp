@@ -11,6 +11,8 @@ namespace {
 
 using Owed = std::vector<tuning::OwedGains>;
 
+constexpr Duration askNotebookAgain = std::chrono::seconds(5);
+
 Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
 {
     co_await journal.settle(trial);
@@ -58,7 +60,8 @@ void OwedBook::lookUp(const Device &device)
     m_lookedFor[id] = unit;
     m_asking.spawn<Owed>(m_journal->owedTo(unit), [this, id, unit](const Result<Owed> &owed) {
         if (!owed)
-            return;
+            return notAnswered(id, owed.error());
+        m_told.erase(id);
         const auto isUnderWay = [](const tuning::OwedGains &debt) { return debt.isUnderWay; };
         if (std::any_of(owed->begin(), owed->end(), isUnderWay))
             m_lookAgain[id] = m_context.clock.now(); // that program may end in the middle of it
@@ -67,6 +70,15 @@ void OwedBook::lookUp(const Device &device)
         else
             m_owed.erase(id);
     });
+}
+
+/// Told once, asked again: gains that an experiment tried may be in force.
+void OwedBook::notAnswered(DeviceId id, const Error &error)
+{
+    m_lookAgain[id] = m_context.clock.now() + askNotebookAgain;
+    if (m_told.insert(id).second)
+        m_context.log.tell(Severity::Caution, id,
+            say("whether gains of an experiment are still to be put back is not known yet: %1", error.message()));
 }
 
 /// With what the unit has; later, when it is busy now.

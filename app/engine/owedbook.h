@@ -6,6 +6,7 @@
 #include "widgets/orders/trialorders.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,13 +36,15 @@ public:
 private:
     void lookUp(const Device &device);
     void lookAgain(DeviceId device);
+    void notAnswered(DeviceId device, const Error &error);
     void compare(DeviceId device, const std::string &unit);
     void end(DeviceId device, std::int64_t trial);
 
     EngineContext m_context;
     tuning::ExperimentJournal *m_journal = nullptr;
     std::map<DeviceId, std::string> m_lookedFor; ///< units that were looked up, and who they were
-    std::map<DeviceId, Instant> m_lookAgain;     ///< when what was put back must be stored
+    std::map<DeviceId, Instant> m_lookAgain;     ///< when what was put back must be stored, or the notebook may answer
+    std::set<DeviceId> m_told;                   ///< that the notebook does not answer
     std::map<DeviceId, std::vector<tuning::OwedGains>> m_owed;
     Scope m_asking; ///< last: what it asks uses everything above
 };

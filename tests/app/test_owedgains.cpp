@@ -70,6 +70,26 @@ TEST_F(TrialCore, GainsThatALivingProgramTriesAreAskedAfterWithoutAnOperation)
     EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().count(id()) == 1; }, 20s)) << "that program has ended";
 }
 
+TEST_F(TrialCore, ANotebookThatDidNotAnswerIsAskedAgainForGainsThatAreOwed)
+{
+    journal.debtor = unitKeyOf(*device());
+    journal.owed = {{"slot0.p", stored() + 1000}};
+    std::vector<std::string> lines;
+    const Subscription noticed = core.noticed().add([&lines](Severity, const std::string &, const Message &text) {
+        if (text.english().find("the disk is full") != std::string::npos)
+            lines.push_back(text.english());
+    });
+    journal.isFull = true;
+    core.send(orders::CloseLink{"sim:can"});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
+    ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
+    clock.advance(30s);
+    EXPECT_TRUE(core.owedGains().empty());
+    EXPECT_EQ(lines.size(), 5U) << "one of each unit that runs, not one a question";
+    journal.isFull = false;
+    EXPECT_TRUE(clock.runUntil([this] { return core.owedGains().count(id()) == 1; }, 10s));
+}
+
 TEST_F(TrialCore, GainsAreOfferedNoMoreOnceATrialHasKeptOthers)
 {
     journal.debtor = unitKeyOf(*device());

@@ -86,6 +86,8 @@ public:
     Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override
     {
         std::vector<tuning::OwedGains> all;
+        if (isFull)
+            co_return full();
         if (!owed.empty() && unit == debtor)
             all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed, isPutBack, isUnderWay});
         for (tuning::OwedGains &debt : all) {
