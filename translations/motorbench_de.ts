@@ -27,6 +27,10 @@
         <source>%1 points</source>
         <translation>%1 Punkte</translation>
     </message>
+    <message>
+        <source>%1: peak –</source>
+        <translation>%1: Spitze –</translation>
+    </message>
 </context>
 <context>
     <name>AxisParameters</name>
@@ -49,14 +53,6 @@
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -223,10 +219,6 @@
     <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>online</source>
@@ -1184,20 +1176,8 @@
         <translation>1/min</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -1608,18 +1588,6 @@
         <translation>Dieser Regelkreis hat kein F, das gegen I arbeiten könnte.</translation>
     </message>
     <message>
-        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
-        <translation>F·K ist derzeit %1 bei aktivem I: das schwingt über. Der Satz hat kein F.</translation>
-    </message>
-    <message>
-        <source>F is 0: nothing is paid back as overshoot.</source>
-        <translation>F ist 0: nichts wird als Überschwingen zurückgezahlt.</translation>
-    </message>
-    <message>
-        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
-        <translation>F·K ist %1, unter %2: nichts wird als Überschwingen zurückgezahlt.</translation>
-    </message>
-    <message>
         <source>uS/kp = %1: below this error only I moves the shaft.</source>
         <translation>uS/kp = %1: unter diesem Fehler bewegt nur I die Welle.</translation>
     </message>
@@ -1714,6 +1682,18 @@
     <message>
         <source>Stage</source>
         <translation>Vormerken</translation>
+    </message>
+    <message>
+        <source>F and I in force give back %1 of the step as overshoot. The set has no F.</source>
+        <translation>F und I, wie sie jetzt gelten, geben %1 des Sprungs als Überschwingen zurück. Der Satz hat kein F.</translation>
+    </message>
+    <message>
+        <source>F and I give back %1 of the step as overshoot.</source>
+        <translation>F und I geben %1 des Sprungs als Überschwingen zurück.</translation>
+    </message>
+    <message>
+        <source>F and I give nothing back as overshoot.</source>
+        <translation>F und I geben nichts als Überschwingen zurück.</translation>
     </message>
 </context>
 <context>
@@ -3175,14 +3155,6 @@
         <translation>%1 Hz   verloren %2</translation>
     </message>
     <message>
-        <source>cnt/s</source>
-        <translation>cnt/s</translation>
-    </message>
-    <message>
-        <source>cnt</source>
-        <translation>cnt</translation>
-    </message>
-    <message>
         <source>no watchdog</source>
         <translation>kein Watchdog</translation>
     </message>
@@ -3200,10 +3172,6 @@
     <message>
         <source>velocity</source>
         <translation>Drehzahl</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -3228,10 +3196,6 @@
     <message>
         <source>position</source>
         <translation>Position</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
 </context>
 <context>
@@ -4407,7 +4371,7 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Als Text kopieren</translation>
     </message>
     <message>
-        <source>Keep or put back first</source>
+        <source>Keep or revert first</source>
         <translation>Erst behalten oder zurück</translation>
     </message>
 </context>
@@ -4540,16 +4504,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>Drehzahl</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4715,10 +4671,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Behalten</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>Zurückschreiben</translation>
-    </message>
-    <message>
         <source>Time until the values go back</source>
         <translation>Zeit, bis die Werte zurückgehen</translation>
     </message>
@@ -4736,6 +4688,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>nothing goes back by itself</source>
         <translation>nichts geht von selbst zurück</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurückschreiben</translation>
     </message>
 </context>
 <context>
@@ -6790,22 +6746,6 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <source>A</source>
         <translation>A</translation>
     </message>
-    <message>
-        <source>s/count</source>
-        <translation>s/count</translation>
-    </message>
-    <message>
-        <source>1/count</source>
-        <translation>1/count</translation>
-    </message>
-    <message>
-        <source>1/(count·s)</source>
-        <translation>1/(count·s)</translation>
-    </message>
-    <message>
-        <source>s²/count</source>
-        <translation>s²/count</translation>
-    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
@@ -7068,31 +7008,31 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Serial number</source>
+        <source>serial number</source>
         <translation>Seriennummer</translation>
     </message>
     <message>
-        <source>Unit</source>
+        <source>unit</source>
         <translation>Gerät</translation>
     </message>
     <message>
-        <source>Firmware</source>
+        <source>firmware</source>
         <translation>Firmware</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>step</source>
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Progress</source>
+        <source>progress</source>
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>time</source>
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Result</source>
+        <source>result</source>
         <translation>Ergebnis</translation>
     </message>
 </context>
@@ -7837,10 +7777,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Tastgrad, %</translation>
     </message>
     <message>
-        <source>current, A</source>
-        <translation>Strom, A</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>Kennwert</translation>
     </message>
@@ -8398,6 +8334,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>chosen</source>
         <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>Strom, %1</translation>
     </message>
 </context>
 <context>
@@ -9682,10 +9622,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>done again: %1</source>
         <translation>wiederholt: %1</translation>
     </message>
-    <message>
-        <source>put back: %1</source>
-        <translation>zurückgeschrieben: %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n differ</source>
         <translation>
@@ -9700,6 +9636,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>This place, not this unit</source>
         <translation>Dieser Platz, nicht dieses Gerät</translation>
+    </message>
+    <message>
+        <source>reverted: %1</source>
+        <translation>zurückgeschrieben: %1</translation>
     </message>
 </context>
 <context>
@@ -14317,10 +14257,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1, mit mehr als einem halben Sprung als Sollwert</translation>
     </message>
     <message>
-        <source>%1: %2 -&gt; %3</source>
-        <translation>%1: %2 -&gt; %3</translation>
-    </message>
-    <message>
         <source>%1: %2 is above %3</source>
         <translation>%1: %2 liegt über %3</translation>
     </message>
@@ -17593,10 +17529,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zurückgenommen</translation>
     </message>
     <message>
-        <source>%1: ? -&gt; %2</source>
-        <translation>%1: ? -&gt; %2</translation>
-    </message>
-    <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>P allein hält in einem Regler, der den Strom alle %1 ansieht, %2 des verlangten, wenn er um %3 überschwingt</translation>
     </message>
@@ -19095,6 +19027,62 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>no time was left to do the same again</source>
         <translation>um dasselbe noch einmal zu tun, blieb keine Zeit</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: ? → %2</source>
+        <translation>%1: ? → %2</translation>
+    </message>
+    <message>
+        <source>allow all of it within little travel, or tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>bei wenig Weg alles davon erlauben oder von Hand mit &apos;motorbenchctl step&apos; einstellen</translation>
+    </message>
+    <message>
+        <source>allow more duty or aim for a calmer loop</source>
+        <translation>mehr Tastgrad erlauben oder einen ruhigeren Regler anstreben</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, which its allowable error lets it</source>
+        <translation>er kann %1 vor seinem Ziel stehen bleiben, so viel lässt sein zulässiger Fehler zu</translation>
+    </message>
+    <message>
+        <source>nothing of its own keeps a position loop of %1 to %2 duty</source>
+        <translation>nichts Eigenes hält einen Lageregler von %1 auf %2 Tastgrad</translation>
+    </message>
+    <message>
+        <source>others that may leave less error were given up: %1</source>
+        <translation>andere, die vielleicht weniger Fehler lassen, wurden aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>take a larger response</source>
+        <translation>eine längere Antwortzeit nehmen</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no limit of its own that keeps it to them</source>
+        <translation>der kleinste Sprung, der diese Verstärkungen belegt, gibt %1 Tastgrad aus, erlaubt sind %2, und das Gerät hat keine eigene Grenze, die es darauf hält</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains takes %1 counts of travel, %2 are allowed</source>
+        <translation>der kleinste Sprung, der diese Verstärkungen belegt, braucht %1 counts Weg, erlaubt sind %2</translation>
+    </message>
+    <message>
+        <source>these are given up: %1</source>
+        <translation>diese werden aufgegeben: %1</translation>
+    </message>
+    <message>
+        <source>these gains would overshoot by %1, and at most %2 are kept</source>
+        <translation>diese Verstärkungen schwängen um %1 über, behalten wird höchstens %2</translation>
+    </message>
+    <message>
+        <source>they would put out more duty than is allowed</source>
+        <translation>sie gäben mehr Tastgrad aus als erlaubt</translation>
+    </message>
+    <message>
+        <source>whether gains of an experiment are still to be put back is not known yet: %1</source>
+        <translation>ob Verstärkungen eines Versuchs noch zurückzuschreiben sind, ist noch nicht bekannt: %1</translation>
     </message>
 </context>
 </TS>

@@ -27,6 +27,10 @@
         <source>%1 points</source>
         <translation>%1 puntos</translation>
     </message>
+    <message>
+        <source>%1: peak –</source>
+        <translation>%1: pico –</translation>
+    </message>
 </context>
 <context>
     <name>AxisParameters</name>
@@ -49,14 +53,6 @@
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -235,10 +231,6 @@
     <message>
         <source>no answer</source>
         <translation>sin respuesta</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>online</source>
@@ -1184,20 +1176,8 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -1608,18 +1588,6 @@
         <translation>Este lazo no tiene una F que pueda oponerse a I.</translation>
     </message>
     <message>
-        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
-        <translation>F·K vigente es %1 con I activo: eso sobrepasa. El juego no tiene F.</translation>
-    </message>
-    <message>
-        <source>F is 0: nothing is paid back as overshoot.</source>
-        <translation>F es 0: nada se paga como sobreimpulso.</translation>
-    </message>
-    <message>
-        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
-        <translation>F·K es %1, menos de %2: nada se paga como sobreimpulso.</translation>
-    </message>
-    <message>
         <source>uS/kp = %1: below this error only I moves the shaft.</source>
         <translation>uS/kp = %1: por debajo de este error solo I mueve el eje.</translation>
     </message>
@@ -1714,6 +1682,18 @@
     <message>
         <source>Stage</source>
         <translation>Dejar pendiente</translation>
+    </message>
+    <message>
+        <source>F and I in force give back %1 of the step as overshoot. The set has no F.</source>
+        <translation>F e I vigentes devuelven %1 del escalón como sobreimpulso. El juego no tiene F.</translation>
+    </message>
+    <message>
+        <source>F and I give back %1 of the step as overshoot.</source>
+        <translation>F e I devuelven %1 del escalón como sobreimpulso.</translation>
+    </message>
+    <message>
+        <source>F and I give nothing back as overshoot.</source>
+        <translation>F e I no devuelven nada como sobreimpulso.</translation>
     </message>
 </context>
 <context>
@@ -3175,14 +3155,6 @@
         <translation>%1 Hz   perdidas %2</translation>
     </message>
     <message>
-        <source>cnt/s</source>
-        <translation>cnt/s</translation>
-    </message>
-    <message>
-        <source>cnt</source>
-        <translation>cnt</translation>
-    </message>
-    <message>
         <source>no watchdog</source>
         <translation>sin watchdog</translation>
     </message>
@@ -3202,16 +3174,8 @@
         <translation>posición</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4407,7 +4371,7 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Copiar como texto</translation>
     </message>
     <message>
-        <source>Keep or put back first</source>
+        <source>Keep or revert first</source>
         <translation>Antes, conservar o restituir</translation>
     </message>
 </context>
@@ -4540,16 +4504,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>posición</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>velocidad</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4715,10 +4671,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Conservar</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>Restituir</translation>
-    </message>
-    <message>
         <source>Time until the values go back</source>
         <translation>Tiempo hasta que se restituyan los valores</translation>
     </message>
@@ -4736,6 +4688,10 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     <message>
         <source>nothing goes back by itself</source>
         <translation>nada se restituye solo</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Restituir</translation>
     </message>
 </context>
 <context>
@@ -6790,22 +6746,6 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <source>A</source>
         <translation>A</translation>
     </message>
-    <message>
-        <source>s/count</source>
-        <translation>s/count</translation>
-    </message>
-    <message>
-        <source>1/count</source>
-        <translation>1/count</translation>
-    </message>
-    <message>
-        <source>1/(count·s)</source>
-        <translation>1/(count·s)</translation>
-    </message>
-    <message>
-        <source>s²/count</source>
-        <translation>s²/count</translation>
-    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
@@ -7068,32 +7008,32 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Serial number</source>
-        <translation>Número de serie</translation>
+        <source>serial number</source>
+        <translation>número de serie</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>Unidad</translation>
+        <source>unit</source>
+        <translation>unidad</translation>
     </message>
     <message>
-        <source>Firmware</source>
-        <translation>Firmware</translation>
+        <source>firmware</source>
+        <translation>firmware</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>Paso</translation>
+        <source>step</source>
+        <translation>paso</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Progreso</translation>
+        <source>progress</source>
+        <translation>progreso</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Tiempo</translation>
+        <source>time</source>
+        <translation>tiempo</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
+        <source>result</source>
+        <translation>resultado</translation>
     </message>
 </context>
 <context>
@@ -7849,10 +7789,6 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <translation>ciclo, %</translation>
     </message>
     <message>
-        <source>current, A</source>
-        <translation>corriente, A</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>Índice</translation>
     </message>
@@ -8398,6 +8334,10 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
     <message>
         <source>chosen</source>
         <translation>elegida</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>corriente, %1</translation>
     </message>
 </context>
 <context>
@@ -9682,10 +9622,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>done again: %1</source>
         <translation>rehecho: %1</translation>
     </message>
-    <message>
-        <source>put back: %1</source>
-        <translation>restituido: %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n differ</source>
         <translation>
@@ -9700,6 +9636,10 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>This place, not this unit</source>
         <translation>Este sitio, no este equipo</translation>
+    </message>
+    <message>
+        <source>reverted: %1</source>
+        <translation>restituido: %1</translation>
     </message>
 </context>
 <context>
@@ -13539,10 +13479,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 -&gt; %3</source>
-        <translation>%1: %2 -&gt; %3</translation>
     </message>
     <message>
         <source>%1: %2 is above %3</source>
@@ -17601,10 +17537,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>restituido</translation>
     </message>
     <message>
-        <source>%1: ? -&gt; %2</source>
-        <translation>%1: ? -&gt; %2</translation>
-    </message>
-    <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>P sola, en un lazo que mira la corriente cada %1, mantiene %2 de lo pedido cuando sobreimpulsa %3</translation>
     </message>
@@ -19095,6 +19027,62 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>no time was left to do the same again</source>
         <translation>no quedó tiempo para repetir lo mismo</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: ? → %2</source>
+        <translation>%1: ? → %2</translation>
+    </message>
+    <message>
+        <source>allow all of it within little travel, or tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>permítalo todo con poco recorrido, o ajústelo a mano con 'motorbenchctl step'</translation>
+    </message>
+    <message>
+        <source>allow more duty or aim for a calmer loop</source>
+        <translation>permita más ciclo o busque un lazo más suave</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, which its allowable error lets it</source>
+        <translation>puede quedar %1 antes de su destino, lo que permite su error admisible</translation>
+    </message>
+    <message>
+        <source>nothing of its own keeps a position loop of %1 to %2 duty</source>
+        <translation>nada propio mantiene un lazo de posición de %1 en un ciclo de %2</translation>
+    </message>
+    <message>
+        <source>others that may leave less error were given up: %1</source>
+        <translation>otras que quizá dejen menos error se abandonaron: %1</translation>
+    </message>
+    <message>
+        <source>take a larger response</source>
+        <translation>tome una respuesta más larga</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no limit of its own that keeps it to them</source>
+        <translation>el menor escalón que prueba estas ganancias da un ciclo de %1, se permiten %2, y la unidad no tiene límite propio que la mantenga en ellos</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains takes %1 counts of travel, %2 are allowed</source>
+        <translation>el menor escalón que prueba estas ganancias necesita %1 cuentas de recorrido, se permiten %2</translation>
+    </message>
+    <message>
+        <source>these are given up: %1</source>
+        <translation>estas se abandonan: %1</translation>
+    </message>
+    <message>
+        <source>these gains would overshoot by %1, and at most %2 are kept</source>
+        <translation>estas ganancias sobrepasarían en %1, y como máximo se conservan %2</translation>
+    </message>
+    <message>
+        <source>they would put out more duty than is allowed</source>
+        <translation>darían más ciclo del permitido</translation>
+    </message>
+    <message>
+        <source>whether gains of an experiment are still to be put back is not known yet: %1</source>
+        <translation>aún no se sabe si quedan ganancias de un ensayo por restituir: %1</translation>
     </message>
 </context>
 </TS>

@@ -27,6 +27,10 @@
         <source>%1 points</source>
         <translation>%1 points</translation>
     </message>
+    <message>
+        <source>%1: peak –</source>
+        <translation>%1 : pic –</translation>
+    </message>
 </context>
 <context>
     <name>AxisParameters</name>
@@ -49,14 +53,6 @@
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -235,10 +231,6 @@
     <message>
         <source>no answer</source>
         <translation>pas de réponse</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>online</source>
@@ -1184,20 +1176,8 @@
         <translation>tr/min</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -1608,18 +1588,6 @@
         <translation>Cette boucle n’a pas de F qui puisse s’opposer à I.</translation>
     </message>
     <message>
-        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
-        <translation>F·K en vigueur vaut %1 avec I actif : cela dépasse. Le jeu n’a pas de F.</translation>
-    </message>
-    <message>
-        <source>F is 0: nothing is paid back as overshoot.</source>
-        <translation>F vaut 0 : rien ne se paie en dépassement.</translation>
-    </message>
-    <message>
-        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
-        <translation>F·K vaut %1, sous %2 : rien ne se paie en dépassement.</translation>
-    </message>
-    <message>
         <source>uS/kp = %1: below this error only I moves the shaft.</source>
         <translation>uS/kp = %1 : sous cette erreur, seul I déplace l’arbre.</translation>
     </message>
@@ -1714,6 +1682,18 @@
     <message>
         <source>Stage</source>
         <translation>Mettre en attente</translation>
+    </message>
+    <message>
+        <source>F and I in force give back %1 of the step as overshoot. The set has no F.</source>
+        <translation>F et I en vigueur rendent %1 de l’échelon en dépassement. Le jeu n’a pas de F.</translation>
+    </message>
+    <message>
+        <source>F and I give back %1 of the step as overshoot.</source>
+        <translation>F et I rendent %1 de l’échelon en dépassement.</translation>
+    </message>
+    <message>
+        <source>F and I give nothing back as overshoot.</source>
+        <translation>F et I ne rendent rien en dépassement.</translation>
     </message>
 </context>
 <context>
@@ -3175,14 +3155,6 @@
         <translation>%1 Hz   perdus %2</translation>
     </message>
     <message>
-        <source>cnt/s</source>
-        <translation>cnt/s</translation>
-    </message>
-    <message>
-        <source>cnt</source>
-        <translation>cnt</translation>
-    </message>
-    <message>
         <source>no watchdog</source>
         <translation>sans chien de garde</translation>
     </message>
@@ -3202,16 +3174,8 @@
         <translation>position</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>vitesse</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4407,7 +4371,7 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Copier en texte</translation>
     </message>
     <message>
-        <source>Keep or put back first</source>
+        <source>Keep or revert first</source>
         <translation>D’abord conserver ou rétablir</translation>
     </message>
 </context>
@@ -4540,16 +4504,8 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>position</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>vitesse</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4715,10 +4671,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Conserver</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>Rétablir</translation>
-    </message>
-    <message>
         <source>Time until the values go back</source>
         <translation>Temps avant le rétablissement des valeurs</translation>
     </message>
@@ -4736,6 +4688,10 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     <message>
         <source>nothing goes back by itself</source>
         <translation>rien n’est rétabli automatiquement</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Rétablir</translation>
     </message>
 </context>
 <context>
@@ -6790,22 +6746,6 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <source>A</source>
         <translation>A</translation>
     </message>
-    <message>
-        <source>s/count</source>
-        <translation>s/count</translation>
-    </message>
-    <message>
-        <source>1/count</source>
-        <translation>1/count</translation>
-    </message>
-    <message>
-        <source>1/(count·s)</source>
-        <translation>1/(count·s)</translation>
-    </message>
-    <message>
-        <source>s²/count</source>
-        <translation>s²/count</translation>
-    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
@@ -7068,32 +7008,32 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Serial number</source>
-        <translation>Numéro de série</translation>
+        <source>serial number</source>
+        <translation>numéro de série</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>Appareil</translation>
+        <source>unit</source>
+        <translation>appareil</translation>
     </message>
     <message>
-        <source>Firmware</source>
-        <translation>Firmware</translation>
+        <source>firmware</source>
+        <translation>firmware</translation>
     </message>
     <message>
-        <source>Step</source>
-        <translation>Étape</translation>
+        <source>step</source>
+        <translation>étape</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Progression</translation>
+        <source>progress</source>
+        <translation>progression</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Temps</translation>
+        <source>time</source>
+        <translation>temps</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
+        <source>result</source>
+        <translation>résultat</translation>
     </message>
 </context>
 <context>
@@ -7849,10 +7789,6 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <translation>rapport cyclique, %</translation>
     </message>
     <message>
-        <source>current, A</source>
-        <translation>courant, A</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>Indicateur</translation>
     </message>
@@ -8398,6 +8334,10 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
     <message>
         <source>chosen</source>
         <translation>choisie</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>courant, %1</translation>
     </message>
 </context>
 <context>
@@ -9682,10 +9622,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>done again: %1</source>
         <translation>refait&#xa0;: %1</translation>
     </message>
-    <message>
-        <source>put back: %1</source>
-        <translation>rétabli&#xa0;: %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n differ</source>
         <translation>
@@ -9700,6 +9636,10 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>This place, not this unit</source>
         <translation>Cet emplacement, pas cet appareil</translation>
+    </message>
+    <message>
+        <source>reverted: %1</source>
+        <translation>rétabli : %1</translation>
     </message>
 </context>
 <context>
@@ -13539,10 +13479,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 -&gt; %3</source>
-        <translation>%1&#xa0;: %2 -&gt; %3</translation>
     </message>
     <message>
         <source>%1: %2 is above %3</source>
@@ -17601,10 +17537,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>annulé</translation>
     </message>
     <message>
-        <source>%1: ? -&gt; %2</source>
-        <translation>%1&#xa0;: ? -&gt; %2</translation>
-    </message>
-    <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>P seul, dans une boucle qui regarde le courant toutes les %1, tient %2 de ce qui est demandé quand il dépasse de %3</translation>
     </message>
@@ -19095,6 +19027,62 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>no time was left to do the same again</source>
         <translation>il ne restait pas de temps pour refaire la même chose</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1 : %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: ? → %2</source>
+        <translation>%1 : ? → %2</translation>
+    </message>
+    <message>
+        <source>allow all of it within little travel, or tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>autorisez-le en entier avec peu de course, ou réglez à la main avec 'motorbenchctl step'</translation>
+    </message>
+    <message>
+        <source>allow more duty or aim for a calmer loop</source>
+        <translation>autorisez plus de rapport cyclique ou visez une boucle plus calme</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, which its allowable error lets it</source>
+        <translation>il peut s’arrêter à %1 de sa cible, ce que permet son erreur admissible</translation>
+    </message>
+    <message>
+        <source>nothing of its own keeps a position loop of %1 to %2 duty</source>
+        <translation>rien en propre ne tient une boucle de position de %1 à %2 de rapport cyclique</translation>
+    </message>
+    <message>
+        <source>others that may leave less error were given up: %1</source>
+        <translation>d’autres, qui laisseraient peut-être moins d’erreur, ont été abandonnés&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>take a larger response</source>
+        <translation>prenez une réponse plus longue</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no limit of its own that keeps it to them</source>
+        <translation>le plus petit échelon qui prouve ces gains donne %1 de rapport cyclique, %2 sont permis, et l’unité n’a pas de limite propre qui l’y tienne</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains takes %1 counts of travel, %2 are allowed</source>
+        <translation>le plus petit échelon qui prouve ces gains demande %1 counts de course, %2 sont permis</translation>
+    </message>
+    <message>
+        <source>these are given up: %1</source>
+        <translation>ceux-ci sont abandonnés&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>these gains would overshoot by %1, and at most %2 are kept</source>
+        <translation>ces gains dépasseraient de %1, et au plus %2 sont gardés</translation>
+    </message>
+    <message>
+        <source>they would put out more duty than is allowed</source>
+        <translation>ils donneraient plus de rapport cyclique que permis</translation>
+    </message>
+    <message>
+        <source>whether gains of an experiment are still to be put back is not known yet: %1</source>
+        <translation>on ne sait pas encore si des gains d’un essai restent à rétablir&#xa0;: %1</translation>
     </message>
 </context>
 </TS>

@@ -27,6 +27,10 @@
         <source>%1 points</source>
         <translation>%1 点</translation>
     </message>
+    <message>
+        <source>%1: peak –</source>
+        <translation>%1: ピーク –</translation>
+    </message>
 </context>
 <context>
     <name>AxisParameters</name>
@@ -49,14 +53,6 @@
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -235,10 +231,6 @@
     <message>
         <source>no answer</source>
         <translation>応答なし</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>online</source>
@@ -1183,20 +1175,8 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -1607,18 +1587,6 @@
         <translation>このループには I と競合する F がありません。</translation>
     </message>
     <message>
-        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
-        <translation>現在は I が有効で F·K が %1 です: オーバーシュートします。この組に F はありません。</translation>
-    </message>
-    <message>
-        <source>F is 0: nothing is paid back as overshoot.</source>
-        <translation>F は 0 です: オーバーシュートとして現れるものはありません。</translation>
-    </message>
-    <message>
-        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
-        <translation>F·K は %1 で %2 未満です: オーバーシュートとして現れるものはありません。</translation>
-    </message>
-    <message>
         <source>uS/kp = %1: below this error only I moves the shaft.</source>
         <translation>uS/kp = %1: これより小さい誤差では I だけが軸を動かします。</translation>
     </message>
@@ -1713,6 +1681,18 @@
     <message>
         <source>Stage</source>
         <translation>書込み待ちに追加</translation>
+    </message>
+    <message>
+        <source>F and I in force give back %1 of the step as overshoot. The set has no F.</source>
+        <translation>現在の F と I ではステップの %1 がオーバーシュートとして現れます。この組に F はありません。</translation>
+    </message>
+    <message>
+        <source>F and I give back %1 of the step as overshoot.</source>
+        <translation>F と I によりステップの %1 がオーバーシュートとして現れます。</translation>
+    </message>
+    <message>
+        <source>F and I give nothing back as overshoot.</source>
+        <translation>F と I によりオーバーシュートとして現れるものはありません。</translation>
     </message>
 </context>
 <context>
@@ -3173,14 +3153,6 @@
         <translation>%1 Hz   欠落 %2</translation>
     </message>
     <message>
-        <source>cnt/s</source>
-        <translation>cnt/s</translation>
-    </message>
-    <message>
-        <source>cnt</source>
-        <translation>cnt</translation>
-    </message>
-    <message>
         <source>no watchdog</source>
         <translation>ウォッチドッグなし</translation>
     </message>
@@ -3200,16 +3172,8 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4402,7 +4366,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>テキストとしてコピー</translation>
     </message>
     <message>
-        <source>Keep or put back first</source>
+        <source>Keep or revert first</source>
         <translation>先に維持か復元を選択</translation>
     </message>
 </context>
@@ -4535,16 +4499,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4708,10 +4664,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>維持</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>元に戻す</translation>
-    </message>
-    <message>
         <source>Time until the values go back</source>
         <translation>値が元に戻るまでの時間</translation>
     </message>
@@ -4728,6 +4680,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>nothing goes back by itself</source>
         <translation>自動では戻りません</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>元に戻す</translation>
     </message>
 </context>
 <context>
@@ -6781,22 +6737,6 @@ double click or End returns to the present · right click for more</source>
         <source>A</source>
         <translation>A</translation>
     </message>
-    <message>
-        <source>s/count</source>
-        <translation>s/count</translation>
-    </message>
-    <message>
-        <source>1/count</source>
-        <translation>1/count</translation>
-    </message>
-    <message>
-        <source>1/(count·s)</source>
-        <translation>1/(count·s)</translation>
-    </message>
-    <message>
-        <source>s²/count</source>
-        <translation>s²/count</translation>
-    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
@@ -7058,31 +6998,31 @@ double click or End returns to the present · right click for more</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Serial number</source>
+        <source>serial number</source>
         <translation>シリアル番号</translation>
     </message>
     <message>
-        <source>Unit</source>
+        <source>unit</source>
         <translation>機器</translation>
     </message>
     <message>
-        <source>Firmware</source>
+        <source>firmware</source>
         <translation>ファームウェア</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>step</source>
         <translation>手順</translation>
     </message>
     <message>
-        <source>Progress</source>
+        <source>progress</source>
         <translation>進捗</translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>time</source>
         <translation>時間</translation>
     </message>
     <message>
-        <source>Result</source>
+        <source>result</source>
         <translation>結果</translation>
     </message>
 </context>
@@ -7839,10 +7779,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>デューティ、%</translation>
     </message>
     <message>
-        <source>current, A</source>
-        <translation>電流、A</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>指標</translation>
     </message>
@@ -8387,6 +8323,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>chosen</source>
         <translation>選択</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>電流、%1</translation>
     </message>
 </context>
 <context>
@@ -9669,10 +9609,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>done again: %1</source>
         <translation>やり直し: %1</translation>
     </message>
-    <message>
-        <source>put back: %1</source>
-        <translation>復元: %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n differ</source>
         <translation>
@@ -9686,6 +9622,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>This place, not this unit</source>
         <translation>この機器ではなく、この場所</translation>
+    </message>
+    <message>
+        <source>reverted: %1</source>
+        <translation>復元: %1</translation>
     </message>
 </context>
 <context>
@@ -13522,10 +13462,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 -&gt; %3</source>
-        <translation>%1: %2 -&gt; %3</translation>
     </message>
     <message>
         <source>%1: %2 is above %3</source>
@@ -17584,10 +17520,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>元に戻しました</translation>
     </message>
     <message>
-        <source>%1: ? -&gt; %2</source>
-        <translation>%1: ? -&gt; %2</translation>
-    </message>
-    <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>%1 ごとに電流を見るループでは、P だけでは %3 のオーバーシュートで指令の %2 しか保てません</translation>
     </message>
@@ -19078,6 +19010,62 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>no time was left to do the same again</source>
         <translation>同じことをやり直す時間は残っていませんでした</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: ? → %2</source>
+        <translation>%1: ? → %2</translation>
+    </message>
+    <message>
+        <source>allow all of it within little travel, or tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>移動量を小さくしてすべて許容するか、'motorbenchctl step' で手動調整してください</translation>
+    </message>
+    <message>
+        <source>allow more duty or aim for a calmer loop</source>
+        <translation>デューティの許容値を上げるか、より緩やかな制御ループを目標にしてください</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, which its allowable error lets it</source>
+        <translation>目標の %1 手前で止まることがあります。許容誤差の範囲内です</translation>
+    </message>
+    <message>
+        <source>nothing of its own keeps a position loop of %1 to %2 duty</source>
+        <translation>%1 の位置ループをデューティ %2 に保つ自身の制限はありません</translation>
+    </message>
+    <message>
+        <source>others that may leave less error were given up: %1</source>
+        <translation>誤差が小さくなるかもしれない別のゲインは断念しました: %1</translation>
+    </message>
+    <message>
+        <source>take a larger response</source>
+        <translation>応答時間を長くしてください</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no limit of its own that keeps it to them</source>
+        <translation>これらのゲインを検証できる最小のステップはデューティ %1 を出力しますが、許容は %2 で、このユニットにはそれを守る自身の制限がありません</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains takes %1 counts of travel, %2 are allowed</source>
+        <translation>これらのゲインを検証できる最小のステップには %1 カウントの移動量が必要ですが、許容は %2 です</translation>
+    </message>
+    <message>
+        <source>these are given up: %1</source>
+        <translation>これらは断念します: %1</translation>
+    </message>
+    <message>
+        <source>these gains would overshoot by %1, and at most %2 are kept</source>
+        <translation>これらのゲインは %1 オーバーシュートしますが、残せるのは %2 までです</translation>
+    </message>
+    <message>
+        <source>they would put out more duty than is allowed</source>
+        <translation>許容より大きなデューティを出力します</translation>
+    </message>
+    <message>
+        <source>whether gains of an experiment are still to be put back is not known yet: %1</source>
+        <translation>実験で変更したゲインを元に戻す必要があるかどうかはまだ不明です：%1</translation>
     </message>
 </context>
 </TS>

@@ -27,6 +27,10 @@
         <source>%1 points</source>
         <translation>%1 点</translation>
     </message>
+    <message>
+        <source>%1: peak –</source>
+        <translation>%1：峰值 –</translation>
+    </message>
 </context>
 <context>
     <name>AxisParameters</name>
@@ -49,14 +53,6 @@
     <message>
         <source>%</source>
         <translation>%</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -235,10 +231,6 @@
     <message>
         <source>no answer</source>
         <translation>无应答</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>online</source>
@@ -1183,20 +1175,8 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
-        <source>%</source>
-        <translation>%</translation>
     </message>
 </context>
 <context>
@@ -1607,18 +1587,6 @@
         <translation>此回路没有会与 I 冲突的 F。</translation>
     </message>
     <message>
-        <source>F·K is %1 in force, with I active: that overshoots. The set has no F.</source>
-        <translation>当前 F·K 为 %1 且 I 有效：会超调。本组没有 F。</translation>
-    </message>
-    <message>
-        <source>F is 0: nothing is paid back as overshoot.</source>
-        <translation>F 为 0：没有以超调偿还的滞后。</translation>
-    </message>
-    <message>
-        <source>F·K is %1, under %2: nothing is paid back as overshoot.</source>
-        <translation>F·K 为 %1，低于 %2：没有以超调偿还的滞后。</translation>
-    </message>
-    <message>
         <source>uS/kp = %1: below this error only I moves the shaft.</source>
         <translation>uS/kp = %1：误差小于此值时只有 I 能转动轴。</translation>
     </message>
@@ -1713,6 +1681,18 @@
     <message>
         <source>Stage</source>
         <translation>暂存</translation>
+    </message>
+    <message>
+        <source>F and I in force give back %1 of the step as overshoot. The set has no F.</source>
+        <translation>当前的 F 与 I 会把阶跃的 %1 以超调偿还。本组没有 F。</translation>
+    </message>
+    <message>
+        <source>F and I give back %1 of the step as overshoot.</source>
+        <translation>F 与 I 会把阶跃的 %1 以超调偿还。</translation>
+    </message>
+    <message>
+        <source>F and I give nothing back as overshoot.</source>
+        <translation>F 与 I 没有以超调偿还的滞后。</translation>
     </message>
 </context>
 <context>
@@ -3173,14 +3153,6 @@
         <translation>%1 Hz   丢失 %2</translation>
     </message>
     <message>
-        <source>cnt/s</source>
-        <translation>cnt/s</translation>
-    </message>
-    <message>
-        <source>cnt</source>
-        <translation>cnt</translation>
-    </message>
-    <message>
         <source>no watchdog</source>
         <translation>无看门狗</translation>
     </message>
@@ -3200,16 +3172,8 @@
         <translation>位置</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4402,7 +4366,7 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>复制为文本</translation>
     </message>
     <message>
-        <source>Keep or put back first</source>
+        <source>Keep or revert first</source>
         <translation>请先保留或恢复</translation>
     </message>
 </context>
@@ -4535,16 +4499,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>velocity</source>
         <translation>速度</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
     </message>
     <message>
         <source>current</source>
@@ -4708,10 +4664,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>保留</translation>
     </message>
     <message>
-        <source>Put back</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
         <source>Time until the values go back</source>
         <translation>距恢复原值的时间</translation>
     </message>
@@ -4728,6 +4680,10 @@ Double click or Enter plots it; drag it to a plot.</source>
     <message>
         <source>nothing goes back by itself</source>
         <translation>不会自动恢复</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>恢复</translation>
     </message>
 </context>
 <context>
@@ -6781,22 +6737,6 @@ double click or End returns to the present · right click for more</source>
         <source>A</source>
         <translation>A</translation>
     </message>
-    <message>
-        <source>s/count</source>
-        <translation>s/count</translation>
-    </message>
-    <message>
-        <source>1/count</source>
-        <translation>1/count</translation>
-    </message>
-    <message>
-        <source>1/(count·s)</source>
-        <translation>1/(count·s)</translation>
-    </message>
-    <message>
-        <source>s²/count</source>
-        <translation>s²/count</translation>
-    </message>
 </context>
 <context>
     <name>mb::ProposalList</name>
@@ -7058,31 +6998,31 @@ double click or End returns to the present · right click for more</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Serial number</source>
+        <source>serial number</source>
         <translation>序列号</translation>
     </message>
     <message>
-        <source>Unit</source>
+        <source>unit</source>
         <translation>设备</translation>
     </message>
     <message>
-        <source>Firmware</source>
+        <source>firmware</source>
         <translation>固件</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>step</source>
         <translation>步骤</translation>
     </message>
     <message>
-        <source>Progress</source>
+        <source>progress</source>
         <translation>进度</translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>time</source>
         <translation>时间</translation>
     </message>
     <message>
-        <source>Result</source>
+        <source>result</source>
         <translation>结果</translation>
     </message>
 </context>
@@ -7839,10 +7779,6 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <translation>占空比，%</translation>
     </message>
     <message>
-        <source>current, A</source>
-        <translation>电流，A</translation>
-    </message>
-    <message>
         <source>Metric</source>
         <translation>指标</translation>
     </message>
@@ -8387,6 +8323,10 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
     <message>
         <source>chosen</source>
         <translation>所选</translation>
+    </message>
+    <message>
+        <source>current, %1</source>
+        <translation>电流，%1</translation>
     </message>
 </context>
 <context>
@@ -9669,10 +9609,6 @@ double click plots it, drag it to a pane or below them</source>
         <source>done again: %1</source>
         <translation>已重做：%1</translation>
     </message>
-    <message>
-        <source>put back: %1</source>
-        <translation>已恢复：%1</translation>
-    </message>
     <message numerus="yes">
         <source>%n differ</source>
         <translation>
@@ -9686,6 +9622,10 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>This place, not this unit</source>
         <translation>此位置，而非此设备</translation>
+    </message>
+    <message>
+        <source>reverted: %1</source>
+        <translation>已恢复：%1</translation>
     </message>
 </context>
 <context>
@@ -13522,10 +13462,6 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1: %2 -&gt; %3</source>
-        <translation>%1：%2 -&gt; %3</translation>
     </message>
     <message>
         <source>%1: %2 is above %3</source>
@@ -17584,10 +17520,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>已回退</translation>
     </message>
     <message>
-        <source>%1: ? -&gt; %2</source>
-        <translation>%1：? -&gt; %2</translation>
-    </message>
-    <message>
         <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
         <translation>在每 %1 查看一次电流的环中，仅用 P 时若超调 %3，只能保持所要求值的 %2</translation>
     </message>
@@ -19078,6 +19010,62 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>no time was left to do the same again</source>
         <translation>没有剩余时间再做一次</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1：%2 → %3</translation>
+    </message>
+    <message>
+        <source>%1: ? → %2</source>
+        <translation>%1：? → %2</translation>
+    </message>
+    <message>
+        <source>allow all of it within little travel, or tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>在较小行程内允许全部占空比，或用 'motorbenchctl step' 手动整定</translation>
+    </message>
+    <message>
+        <source>allow more duty or aim for a calmer loop</source>
+        <translation>允许更大占空比或选用更平缓的回路</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, which its allowable error lets it</source>
+        <translation>它可能停在距目标 %1 处，其允许误差容许如此</translation>
+    </message>
+    <message>
+        <source>nothing of its own keeps a position loop of %1 to %2 duty</source>
+        <translation>%1 没有自身的限值能把位置回路保持在占空比 %2</translation>
+    </message>
+    <message>
+        <source>others that may leave less error were given up: %1</source>
+        <translation>其他可能误差更小的增益已放弃：%1</translation>
+    </message>
+    <message>
+        <source>take a larger response</source>
+        <translation>选用更长的响应时间</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains puts out %1 duty, %2 are allowed, and the unit has no limit of its own that keeps it to them</source>
+        <translation>验证这些增益的最小阶跃输出占空比 %1，允许 %2，而该单元没有能使其保持在此范围内的自身限值</translation>
+    </message>
+    <message>
+        <source>the smallest step that proves these gains takes %1 counts of travel, %2 are allowed</source>
+        <translation>验证这些增益的最小阶跃需要 %1 个计数的行程，允许 %2</translation>
+    </message>
+    <message>
+        <source>these are given up: %1</source>
+        <translation>放弃这些：%1</translation>
+    </message>
+    <message>
+        <source>these gains would overshoot by %1, and at most %2 are kept</source>
+        <translation>这些增益会超调 %1，最多保留 %2</translation>
+    </message>
+    <message>
+        <source>they would put out more duty than is allowed</source>
+        <translation>它们会输出超过允许的占空比</translation>
+    </message>
+    <message>
+        <source>whether gains of an experiment are still to be put back is not known yet: %1</source>
+        <translation>尚不清楚是否还有实验更改的增益需要恢复：%1</translation>
     </message>
 </context>
 </TS>
