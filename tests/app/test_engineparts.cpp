@@ -288,8 +288,10 @@ TEST_F(EngineParts, AJobIsInTheListWhileItsEndIsToldThoughManyHaveEndedBeforeIt)
     operations.begin<void>(
         id(5), say("A long one"), [](Device &unit, Progress &) { return unit.identify(); },
         [&](const Operations::Job &done, const Result<void> &) {
+            const OperationId mine = done.id; // another job may get its memory
             operations.begin(id(5), say("Set telemetry rate"), setRate, into(others));
-            isKept = std::ranges::any_of(operations.jobs(), [&](const Operations::Job &job) { return &job == &done; });
+            isKept
+                = std::ranges::any_of(operations.jobs(), [mine](const Operations::Job &job) { return job.id == mine; });
         },
         into(others));
     for (std::size_t ended = 1; ended <= 40; ++ended) {
