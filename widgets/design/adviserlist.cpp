@@ -74,7 +74,7 @@ QString deadbandText(Mode loop, const tuning::ContinuousGains &gains, const tuni
                                    : AdviserList::tr("uS/kp = %1: below this error nothing moves the shaft.").arg(band);
     if (advice.state == State::Notable)
         words += QLatin1Char(' ') + AdviserList::tr("That is over 2 % of the step.");
-    else if (advice.number > advice.limit)
+    else if (loop == Mode::Position && advice.number > advice.limit)
         words += QLatin1Char(' ') + AdviserList::tr("The drive's least output helps.");
     return words;
 }

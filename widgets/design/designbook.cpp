@@ -4,6 +4,8 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/control/tunechoices.h"
 
+#include <algorithm>
+
 namespace mb {
 
 DesignPlace DesignBook::place() const
@@ -28,11 +30,12 @@ const tuning::TuneReport *DesignBook::report() const
     return found == m_kept.reports.end() ? nullptr : &found->second;
 }
 
-/// What was stopped before it had sets of its own leaves those that were there.
+/// What was stopped before it had sets of its own leaves those that were there, but not where its model is not believed.
 void DesignBook::keep(const DesignPlace &place, tuning::TuneReport report)
 {
     const auto before = m_kept.reports.find(place);
-    if (before != m_kept.reports.end() && report.proposals.empty()) {
+    const bool isBelieved = std::ranges::all_of(report.gates, &tuning::Gate::passed);
+    if (before != m_kept.reports.end() && report.proposals.empty() && isBelieved) {
         report.motor = before->second.motor;
         report.plant = before->second.plant;
         report.scale = before->second.scale;
