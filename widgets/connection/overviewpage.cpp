@@ -28,7 +28,7 @@ namespace {
 
 constexpr int mostColumns = 6;
 constexpr int leastLinkCard = 220; ///< units
-constexpr int leastDeviceCard = 240;
+constexpr int leastDeviceCard = 280;
 
 } // namespace
 
