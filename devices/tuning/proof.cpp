@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mb::tuning {
 namespace {
@@ -177,17 +178,20 @@ bool hasOutputLimits(const Family &family)
 void limitOutput(
     const Family &family, Mode loop, int axis, int slot, double duty, const KnownGains &now, ScaledGains &into)
 {
-    if (duty >= 1.0)
+    const auto ownOf = [&family, &now](const std::optional<ParameterIndex> &index) {
+        const auto own = index
+            ? std::ranges::find(now, family.parameters[index->value].key, &KnownGains::value_type::first)
+            : now.end();
+        return own == now.end() || !own->second ? std::numeric_limits<double>::infinity() : std::abs(*own->second);
+    };
+    const double most = std::floor(duty * family.loop->fullDuty);
+    const auto forward = parameterOf(family, loop, axis, slot, Role::MostForward);
+    if (duty >= 1.0 || most >= ownOf(forward)) // it is the slot's own limit, which may be of one direction
         return;
-    for (const auto &[role, sign] : {std::pair(Role::MostForward, 1.0), std::pair(Role::MostReverse, -1.0)}) {
-        const auto index = parameterOf(family, loop, axis, slot, role);
-        if (!index)
-            continue;
-        const auto own = std::ranges::find(now, family.parameters[index->value].key, &KnownGains::value_type::first);
-        double most = std::floor(duty * family.loop->fullDuty);
-        if (own != now.end() && own->second)
-            most = std::min(most, std::abs(*own->second));
-        addNumber(family, index, most > 0.0 ? sign * most : 0.0, into);
+    for (const auto &[index, sign] :
+        {std::pair(forward, 1.0), std::pair(parameterOf(family, loop, axis, slot, Role::MostReverse), -1.0)}) {
+        if (index)
+            addNumber(family, index, most > 0.0 ? sign * std::min(most, ownOf(index)) : 0.0, into);
     }
 }
 

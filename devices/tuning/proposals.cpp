@@ -394,6 +394,9 @@ bool isAlikeWithin(const Envelope &limits, const ProposalBasis &basis, const Con
     ProposalBasis other = basis;
     other.envelope = limits;
     const double step = usualStep(basis, gains);
+    const auto roomOf = [](const Envelope &envelope) { return envelope.travel.value_or(0.0); };
+    if (basis.loop == Mode::Velocity && std::abs(roomOf(limits) - roomOf(basis.envelope)) > alikeSteps * roomOf(limits))
+        return false; // its proof goes as far as it may
     return limits.duty == basis.envelope.duty && limits.current == basis.envelope.current
         && std::abs(usualStep(other, gains) - step) <= alikeSteps * step;
 }

@@ -334,7 +334,11 @@ Task<void> TuneProof::keep()
     const bool areRead = std::ranges::none_of(report.proposed.changes, [&parameters](const ParameterChange &change) {
         return parameters.parameter(change.index).access == Access::WriteOnly;
     });
-    report.evidence = m_design.isFormer()
+    const bool isAsItWas = std::ranges::all_of(report.proposed.rows, [&report](const ScaledGains::Row &row) {
+        const auto before = std::ranges::find(report.before, row.key, &KnownGains::value_type::first);
+        return before == report.before.end() || before->second == row.number;
+    });
+    report.evidence = m_design.isFormer() && isAsItWas
         ? say("the steps in both directions kept their limits; the gains are as they were")
         : areRead
         ? say("the steps in both directions kept their limits; the gains were written and read back")

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void gainsThatWereNotWrittenStartNothing();
     void disarmedDuringTheWriteStartsNothing();
     void adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited();
+    void ofATrialThatIsUsedOnlyTheGainsOfItsLoopAreStaged();
     void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes_data();
     void everyTurnRunsWhatWasOrderedWhicheverAxisIsShownWhenItComes();
 };
@@ -193,6 +194,20 @@ void TestTuneGains::aGainHasTheSameDigitsInEveryPlace()
     kept.trial.gains = {{"slot0.i", fromFixed(raw, row.one)}};
     trials.setTrials({kept});
     QCOMPARE(trials.index(0, TrialModel::GainI).data().toString(), expected);
+}
+
+void TestTuneGains::ofATrialThatIsUsedOnlyTheGainsOfItsLoopAreStaged()
+{
+    TrialBench bench;
+    KeptTrial kept;
+    kept.trial.mode = Mode::Velocity;
+    kept.trial.slot = 0;
+    kept.trial.gains = {{"slot0.p", 0.75}, {"slot1.p", 9.0}, {"current_limit.p", 40.0}};
+    Q_EMIT bench.page->trials().useRequested(kept);
+    const auto staged = bench.page->column().gainsPanel().toWrite();
+    QCOMPARE(staged.size(), 1U);
+    QCOMPARE(staged[0].index.value, named("slot0.p").value);
+    QCOMPARE(staged[0].raw, 49152);
 }
 
 void TestTuneGains::adviceOnATrialOfAnotherSlotIsStagedIntoTheOneThatIsEdited()

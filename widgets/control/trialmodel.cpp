@@ -90,8 +90,8 @@ std::optional<TrialModel::TriedGain> TrialModel::gainOf(const tuning::Trial &tri
     const auto &rows = m_gainRows.at(static_cast<std::size_t>(column - GainP));
     for (const auto &[key, value] : trial.gains) {
         const auto row = std::ranges::find(rows, key, &Parameter::key);
-        if (row != rows.end() && value)
-            return TriedGain{*row, *value};
+        if (row != rows.end()) // those of its own loop come first
+            return value ? std::optional(TriedGain{*row, *value}) : std::nullopt;
     }
     return std::nullopt;
 }

@@ -25,8 +25,10 @@ double TuneChoices::countsPerRevolution(Workbench &workbench, const DeviceView &
 {
     const auto &choices = workbench.kept<Kept>().choices;
     const auto chosen = choices.find({view.id, hasAxes(*view.family) ? axis : 0});
-    const DisplayUnits units = chosen == choices.end() ? DisplayUnits() : chosen->second.units;
-    return view.profile->calibrated(countsPerRevolutionKey, units.countsPerRevolution);
+    const double profile = view.profile->calibrated(countsPerRevolutionKey);
+    if (chosen == choices.end() || (profile > 0.0 && profile != chosen->second.profiled))
+        return profile;
+    return chosen->second.units.countsPerRevolution;
 }
 
 TuneChoice *TuneChoices::find(const TuneMotor &motor)

@@ -2,6 +2,7 @@
 #include "widgets/control/tunegains.h"
 
 #include "experiment/kepttrial.h"
+#include "model/loopparameters.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/guarded.h"
 #include "widgets/control/gainspanel.h"
@@ -156,7 +157,16 @@ template <class Values> void TuneGains::stage(const Values &values, const QStrin
 
 void TuneGains::stageTrial(const KeptTrial &kept)
 {
-    stage(kept.trial.gains, tr("Gains of trial #%1").arg(kept.number));
+    const DeviceView *const view = m_choices.device();
+    auto gains = kept.trial.gains;
+    const LoopGains *const loop = view ? loopOf(*view->family, kept.trial.mode) : nullptr;
+    const auto own
+        = loop ? loopParameters(*view->family, *loop, kept.trial.axis, kept.trial.slot) : std::vector<ParameterIndex>();
+    std::erase_if(gains, [&view, &own](const auto &gain) { // of another slot or loop, though called the same
+        const auto index = view ? findParameter(view->family->parameters, gain.first) : std::nullopt;
+        return !index || std::ranges::find(own, *index) == own.end();
+    });
+    stage(gains, tr("Gains of trial #%1").arg(kept.number));
 }
 
 void TuneGains::stageAdvice(const std::vector<std::pair<std::string, double>> &values)

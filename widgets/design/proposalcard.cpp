@@ -60,6 +60,8 @@ QString inUnit(const Figure &figure)
 QString physicalText(const Family &family, const Parameter &row, const tuning::ContinuousGains &made, double number,
     const ProposalCard::Scale &scale)
 {
+    if (scale.countsPerRevolution <= 0.0 && scale.loop != Mode::Current)
+        return {};
     if (const auto si = siGain(family, row, scale.loop, number, scale.countsPerRevolution, scale.divisor))
         return si->text();
     const double of = row.role == Role::Proportional ? made.p

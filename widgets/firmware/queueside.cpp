@@ -57,8 +57,8 @@ void QueueSide::showUnit(const service::QueueRow *row, const QueueLine *line, co
         : waits                    ? Safety::WaitsToTurn
                                    : Safety::Turns;
     const QString link = line && !line->link.isEmpty() ? QStringLiteral(" · ") + line->link : QString();
-    const bool ended = row && (row->state == RowState::Passed || row->state == RowState::Failed);
-    showSafety(safety, running || ended ? title + link : QString(),
+    const bool isWhole = row && row->state == RowState::Passed;
+    showSafety(safety, running || isWhole ? title + link : QString(),
         recipe.family() ? updateWords(*recipe.family()) : UpdateWords());
 }
 

@@ -444,7 +444,9 @@ void UnitUpdate::followSafety(const OperationView *operation)
         : operation->status.mayInterrupt ? Safety::MayCut
                                          : Safety::MustNotCut;
     const DeviceView *const unit = operation ? m_workbench.snapshot().device(operation->device) : nullptr;
-    const bool told = running || (unit && !unit->liveness.moving);
+    const bool isWhole = operation && operation->update
+        && (operation->update->outcome == UpdateOutcome::Done || operation->update->outcome == UpdateOutcome::UpToDate);
+    const bool told = running || (isWhole && unit && !unit->liveness.moving);
     m_side->showSafety(safety, told ? placeOf(m_workbench.snapshot(), *operation) : QString(), wordsFor(operation));
 }
 
