@@ -172,7 +172,7 @@ double Notebook::lagOf(const Device &device, int axis) const
     return newest == kept->rend() ? 0.0 : newest->report.plant.tau;
 }
 
-Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
+Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device, bool mayWait)
 {
     if (!m_book)
         co_return std::vector<tuning::OwedGains>();
@@ -185,13 +185,13 @@ Task<std::vector<tuning::OwedGains>> Notebook::owedTo(Device &device)
                 + " with this unit, and puts back what it changed: "
                 + tuning::assignmentsOf(device.family(), debt.values));
     }
-    const auto owed = co_await tuning::stillOwed(device, *m_book, std::move(*all)).attempt();
+    const auto owed = co_await tuning::stillOwed(device, *m_book, std::move(*all), mayWait).attempt();
     co_return owed.value_or(std::vector<tuning::OwedGains>());
 }
 
 Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<ParameterChange> written)
 {
-    const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
+    const std::vector<tuning::OwedGains> owed = co_await owedTo(device, false);
     std::vector<std::string> lines;
     for (const tuning::OwedGains &debt : owed) {
         const bool isReplaced = std::ranges::all_of(debt.values, [&](const auto &value) {
@@ -208,7 +208,7 @@ Task<std::vector<std::string>> Notebook::owedLines(Device &device, std::vector<P
 
 Task<void> Notebook::settleOwed(Device &device, bool agreed)
 {
-    const std::vector<tuning::OwedGains> owed = co_await owedTo(device);
+    const std::vector<tuning::OwedGains> owed = co_await owedTo(device, true);
     for (const tuning::OwedGains &debt : owed) {
         const std::string what = causeOf(debt);
         const std::string values = tuning::assignmentsOf(device.family(), debt.values);

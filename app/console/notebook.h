@@ -72,8 +72,8 @@ public:
     [[nodiscard]] double lagOf(const Device &device, int axis) const;
 
 private:
-    /// Owed by trials that have ended; a note says what a living program tries.
-    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(Device &device);
+    /// Owed by trials that have ended; a note says what a living program tries. `mayWait`: until a unit has stored what was put back.
+    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(Device &device, bool mayWait);
 
     Console &m_console;
     std::optional<Error> m_trouble;

@@ -105,6 +105,7 @@ void ParameterJobs::carryOut(const orders::RewriteSettings &order, const Finishe
         order.device, {say("Write settings again"), OperationKind::RewriteSettings},
         [this](Device &device, Progress &progress) { return rewrite(device, m_settings, progress); },
         [this, id = order.device, finished](const Result<void> &result) {
+            m_provisional.look(id); // a change that waits may be part of it by now
             if (result)
                 m_context.log.tell(Severity::Good, id, say("the settings that the reset took are written again"));
             finished(result);

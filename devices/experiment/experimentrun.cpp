@@ -166,7 +166,7 @@ Task<void> ExperimentRun::writeDown()
         m_inForce = true;
         co_await checkTargets(true);
     }
-    const auto tried = std::exchange(m_trial.gains, {});
+    const auto tried = m_trial.gains; // which stay where the unit does not tell its own
     m_trial.gains = co_await readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
     for (const auto &gain : tried) { // of another slot, or no gain of the loop
         if (std::ranges::find(m_trial.gains, gain.first, &decltype(m_trial.gains)::value_type::first)

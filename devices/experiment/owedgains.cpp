@@ -96,7 +96,8 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
     co_return co_await stillOwed(device, journal, std::move(owed));
 }
 
-Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed)
+Task<std::vector<OwedGains>> stillOwed(
+    Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed, bool mayWait)
 {
     std::vector<OwedGains> rest;
     for (OwedGains &debt : owed) {
@@ -112,6 +113,8 @@ Task<std::vector<OwedGains>> stillOwed(Device &device, ExperimentJournal &journa
             continue;
         }
         if (storesLater(device)) {
+            if (!mayWait)
+                continue;
             if (const bool stored = co_await hasStored(device, debt.time); !stored)
                 continue;
         }

@@ -15,9 +15,9 @@ namespace mb::tuning {
 /// stores later, only once it must have stored it and its flash says so, until when nobody is asked. What was put back and is
 /// neither as before nor as tried was written since, and is owed no more. Reads, and writes nothing to the unit.
 [[nodiscard]] Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal);
-/// The same of what the journal was asked for already.
+/// The same of what the journal was asked for already. Who may not wait for a unit to store leaves what it has owed, and is told of the rest.
 [[nodiscard]] Task<std::vector<OwedGains>> stillOwed(
-    Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed);
+    Device &device, ExperimentJournal &journal, std::vector<OwedGains> owed, bool mayWait = true);
 
 /// What a trial has changed is as before again: settled, or, where the unit stores later, owed from now on until that is proved.
 [[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, std::int64_t trial);

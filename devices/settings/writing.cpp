@@ -63,7 +63,7 @@ Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<Paramete
 bool changedNothing(Fault fault)
 {
     return fault == Fault::Refused || fault == Fault::OutOfRange || fault == Fault::Unsupported
-        || fault == Fault::Unsafe || fault == Fault::Usage;
+        || fault == Fault::Unsafe || fault == Fault::Usage || fault == Fault::NotKept;
 }
 
 ValueChange judged(const Device &device, ValueChange value, const TransferOutcome &outcome)
