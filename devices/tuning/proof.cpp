@@ -184,9 +184,11 @@ void limitOutput(
             : now.end();
         return own == now.end() || !own->second ? std::numeric_limits<double>::infinity() : std::abs(*own->second);
     };
-    const double most = std::floor(duty * family.loop->fullDuty);
     const auto forward = parameterOf(family, loop, axis, slot, Role::MostForward);
-    if (duty >= 1.0 || most >= ownOf(forward)) // it is the slot's own limit, which may be of one direction
+    if (duty >= 1.0 || !forward || !family.loop)
+        return;
+    const double most = std::floor(duty * family.loop->fullDuty);
+    if (most >= ownOf(forward)) // it is the slot's own limit, which may be of one direction
         return;
     for (const auto &[index, sign] :
         {std::pair(forward, 1.0), std::pair(parameterOf(family, loop, axis, slot, Role::MostReverse), -1.0)}) {

@@ -210,7 +210,7 @@ void TestDesignRoom::gainsAreInTheTurnsOfTheShaftThatTuneHas()
         const auto labels = bench.cards().front()->findChildren<QLabel *>();
         return si && std::ranges::count(labels, si->text(), &QLabel::text) == 1;
     };
-    QVERIFY(same(4096.0));
+    QVERIFY2(!same(4096.0), "nobody has told them");
     TuneChoices choices(bench.workbench, bench.selection);
     choices.of(bench.workbench.device(0), 0).units.countsPerRevolution = 2000.0; // somebody told it there
     bench.workbench.publish();
