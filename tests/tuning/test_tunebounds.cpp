@@ -86,7 +86,7 @@ TuneReport struckSecondProof(ExperimentBench &bench, const std::function<void()>
 
 TEST(TuneBounds, ASecondProofThatAGuardEndsLeavesTheSetThatWasProven)
 {
-    ExperimentBench bench("sim:can", "dmc60c", 7);
+    ExperimentBench bench("sim:can", "dmc60c", 5);
     const TuneReport report = struckSecondProof(bench, [&] { bench.simulator()->disturb("stall", 1.0); });
     EXPECT_EQ(report.result, TuneResult::Kept) << report.evidence;
     EXPECT_EQ(report.proof.size(), 2U) << "those of the set that is kept";
@@ -98,7 +98,7 @@ TEST(TuneBounds, ASecondProofThatAGuardEndsLeavesTheSetThatWasProven)
 TEST(TuneBounds, ASecondProofThatTheUserStopsOrTheUnitIsLostInEndsTheTuning)
 {
     for (const bool byUser : {true, false}) {
-        ExperimentBench bench("sim:can", "dmc60c", 7);
+        ExperimentBench bench("sim:can", "dmc60c", 5);
         const std::int64_t before = rawOf(bench, "slot0.p");
         const TuneReport report = struckSecondProof(bench, [&] {
             if (byUser)
