@@ -249,10 +249,6 @@ void takeError(AutotuneRun &run, const Error &error)
     }
 }
 
-} // namespace
-
-namespace {
-
 /// D of a position answers each set-point with whatever it makes of its size: where nothing of the unit bounds it, no model tells how much.
 Result<void> checkDuty(const Family &family, const TunePlan &plan)
 {
